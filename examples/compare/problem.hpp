@@ -1,0 +1,45 @@
+// What the compare program compares on: pairs with exact rational data, whatever they came from.
+#pragma once
+
+#include <graze/number/boost.hpp>
+#include <graze/shape/ball.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/wall.hpp>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <string>
+#include <vector>
+
+namespace compare {
+
+using exact = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+
+// A ball with its mass as the inverse, so that 0 is an infinite mass. shape.mass is not used.
+template <int N>
+struct exact_ball {
+    graze::ball<N, exact> shape;
+    exact inverse_mass;
+};
+
+template <int N>
+struct exact_scene {
+    std::vector<exact_ball<N>> balls;
+    std::vector<graze::plane<N, exact>> planes;
+    std::vector<graze::wall<N, exact>> walls;
+};
+
+enum class pair_kind { ball_ball, ball_plane, ball_wall };
+
+// One pair: a and, by kind, b, plane or wall. group: the scene's name or the family's. hardness: the family's k, or -1.
+template <int N>
+struct problem {
+    pair_kind kind = pair_kind::ball_ball;
+    exact_ball<N> a, b;
+    graze::plane<N, exact> plane;
+    graze::wall<N, exact> wall;
+    std::string group;
+    int hardness = -1;
+};
+
+} // namespace compare

@@ -1,0 +1,54 @@
+// The discriminant of Eq. (12), with the parentheses that the source forgets, in four forms that are equal in exact
+// arithmetic and lose different things in any other.
+#pragma once
+
+#include <graze/formula/quadratic.hpp>
+
+namespace graze {
+
+// Which form. textbook: b² - 4ac as in (11) and (12), which is 4D. halved: D = h² - ac. kahan: the same with its
+// rounding error fetched back by fused multiply-adds. lagrange: D = R²|Δu|² - |Δx × Δu|².
+enum class variant { textbook, halved, kahan, lagrange };
+
+struct discriminant_textbook { // 4D
+    template <class A, class H, class C>
+    [[nodiscard]] constexpr auto operator()(const quadratic<A, H, C>& q) const {
+        const auto b = twice(q.h);
+        return b * b - twice(twice(q.a * q.c));
+    }
+};
+
+struct discriminant_halved {
+    template <class A, class H, class C>
+    [[nodiscard]] constexpr auto operator()(const quadratic<A, H, C>& q) const {
+        return q.h * q.h - q.a * q.c;
+    }
+};
+
+// h² - ac to 1.5 units in the last place of the a, h and c given (Jeannerod, Louvet, Muller 2013), which are themselves
+// rounded: it repairs the last subtraction, not them.
+struct discriminant_kahan {
+    template <has_fma T>
+    [[nodiscard]] constexpr T operator()(const quadratic<T, T, T>& q) const {
+        using traits = number_traits<T>;
+        const T ac = q.a * q.c;
+        const T error = traits::fma(-q.a, q.c, ac);
+        return traits::fma(q.h, q.h, -ac) + error;
+    }
+};
+
+// Lagrange's identity; no length is subtracted from a length, so that distant and grazing balls lose far less.
+struct discriminant_lagrange {
+    template <int N, class X, class U, class S>
+    [[nodiscard]] constexpr auto operator()(const relative_motion<N, X, U, S>& m) const {
+        return m.R * m.R * squared_norm(m.du) - squared_norm(cross(m.dx, m.du));
+    }
+};
+
+// Whether number type T can run variant V: Kahan's needs a fused multiply-add.
+template <variant V, class T>
+inline constexpr bool has_variant = number<T>;
+template <class T>
+inline constexpr bool has_variant<variant::kahan, T> = has_fma<T>;
+
+} // namespace graze

@@ -1,0 +1,43 @@
+// When two things are at a given distance: a t² + 2 h t + c = 0, Eqs. (10) and (11) with h = b/2.
+#pragma once
+
+#include <graze/formula/relative_motion.hpp>
+
+namespace graze {
+
+// a: velocity², h: length·velocity, c: length². A collision is the smaller root, when h < 0 and c >= 0.
+template <class A, class H, class C>
+struct quadratic {
+    A a;
+    H h;
+    C c;
+};
+template <class A, class H, class C>
+quadratic(A, H, C) -> quadratic<A, H, C>;
+
+// The three coefficients of (11), one function each, so that a decision computes only those that it needs.
+struct coefficient_a {
+    template <class M>
+    [[nodiscard]] constexpr auto operator()(const M& m) const {
+        return squared_norm(m.du);
+    }
+};
+struct coefficient_h {
+    template <class M>
+    [[nodiscard]] constexpr auto operator()(const M& m) const {
+        return dot(m.dx, m.du);
+    }
+};
+struct coefficient_c {
+    template <class M>
+    [[nodiscard]] constexpr auto operator()(const M& m) const {
+        return squared_norm(m.dx) - m.R * m.R;
+    }
+};
+
+template <int N, class X, class U, class S>
+[[nodiscard]] constexpr auto quadratic_of(const relative_motion<N, X, U, S>& m) {
+    return quadratic{coefficient_a{}(m), coefficient_h{}(m), coefficient_c{}(m)};
+}
+
+} // namespace graze

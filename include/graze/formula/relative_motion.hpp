@@ -1,0 +1,28 @@
+// Two balls seen from the second: Eqs. (1), (2) and (27).
+#pragma once
+
+#include <graze/shape/ball.hpp>
+
+#include <utility>
+
+namespace graze {
+
+// dx = Δx points from b to a (errata: not from a to b), du = Δu, R the sum of the radii.
+template <int N, class X, class U, class S>
+struct relative_motion {
+    vec<N, X> dx;
+    vec<N, U> du;
+    S R;
+};
+template <int N, class X, class U, class S>
+relative_motion(vec<N, X>, vec<N, U>, S) -> relative_motion<N, X, U, S>;
+
+template <int N, class T>
+[[nodiscard]] constexpr auto relative_motion_of(const ball<N, T>& a, const ball<N, T>& b) {
+    auto dx = a.position - b.position; // (2)
+    auto du = a.velocity - b.velocity; // (27)
+    auto R = a.radius + b.radius;      // (1)
+    return relative_motion{std::move(dx), std::move(du), std::move(R)};
+}
+
+} // namespace graze

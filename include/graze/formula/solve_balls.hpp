@@ -1,0 +1,56 @@
+// graze::solve for two balls: everything of the pair in T, by the formulas as they are.
+#pragma once
+
+#include <graze/formula/solution.hpp>
+
+namespace graze {
+
+// With the masses given by their inverses; 0 is an infinite mass. At most one of them is 0.
+template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
+requires field_number<T> && has_variant<V, T>
+[[nodiscard]] constexpr ball_solution<N, T> solve_with_inverse_masses(const ball<N, T>& a, const ball<N, T>& b,
+                                                                      const T& inverse_a, const T& inverse_b) {
+    using real = root_type<T>;
+    ball_solution<N, T> s;
+    const auto m = relative_motion_of(a, b);
+    const quadratic<T, T, T> q = quadratic_of(m);
+    s.discriminant = detail::discriminant_by<V, T>(q, [&] { return T(discriminant_lagrange{}(m)); });
+    s.what = encounter_of([&] { return sign(q.h); }, [&] { return sign(q.c); }, [&] { return sign(s.discriminant); });
+    if (!is_collision(s.what)) {
+        return s;
+    }
+    if (s.what != encounter::overlap) {
+        s.time = detail::first_root<F>(q, s.discriminant, s.what);
+    }
+    s.position_a = position_at(detail::as<real>(a.position), detail::as<real>(a.velocity), s.time); // (13)
+    s.position_b = position_at(detail::as<real>(b.position), detail::as<real>(b.velocity), s.time);
+    const bool touches = sign(m.R) != 0;
+    if (s.what == encounter::overlap) {
+        s.normal = contact_normal(detail::as<real>(m.dx), root(T(squared_norm(m.dx))));
+    } else if (touches) {
+        const vec<N, real> dx = position_at(detail::as<real>(m.dx), detail::as<real>(m.du), s.time);
+        s.normal = contact_normal(dx, real(m.R)); // (20)
+    } else {
+        s.normal = detail::zero_vector<N, real>();
+    }
+    s.velocity_a = detail::as<real>(a.velocity);
+    s.velocity_b = detail::as<real>(b.velocity);
+    if (s.what != encounter::graze) {
+        const real mu(T(reduced_mass(inverse_a, inverse_b)));                          // (28)
+        const real alpha = impulse(mu, s.normal, detail::as<real>(m.du));              // (29)
+        s.velocity_a = velocity_after(s.velocity_a, alpha, real(inverse_a), s.normal); // (23)
+        s.velocity_b = velocity_after(s.velocity_b, real(-alpha), real(inverse_b), s.normal);
+    }
+    return s;
+}
+
+// The whole solution of two balls. In an inexact T nothing is promised but the formulas: use classify, time_of_impact
+// and collide for answers. Does not check its input.
+template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
+requires field_number<T> && has_variant<V, T>
+[[nodiscard]] constexpr ball_solution<N, T> solve(const ball<N, T>& a, const ball<N, T>& b) {
+    const T one(1);
+    return solve_with_inverse_masses<V, F, T, N>(a, b, one / a.mass, one / b.mass);
+}
+
+} // namespace graze

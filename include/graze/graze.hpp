@@ -1,0 +1,5 @@
+// The library. Adapters for other libraries' number types (graze/number/boost.hpp, gmp.hpp, ...) are included by name.
+#pragma once
+
+#include <graze/formula/solve.hpp>
+#include <graze/number/floating.hpp>

@@ -1,0 +1,98 @@
+// What a number is.
+//
+// Every formula of graze is a template over its number type and says `auto` for what it computes, so a type may widen
+// (an integer<62> times an integer<62> is an integer<124>), but its sums and products must be values: an expression
+// template, whose operands may be gone before it is evaluated, is not a number.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+namespace graze {
+
+// Specialise for a number type T:
+//   static constexpr const char* name;     how tables and messages call it
+//   static constexpr bool is_exact;        sums, differences and products (and quotients, where it has them) never
+//   round static constexpr int digits;           bits of the significand; 0 where is_exact or where there is no such
+//   number static T sqrt(const T&);               only where the type has a square root of its own static T fma(const
+//   T&, const T&, const T&);   only where x*y + z is rounded once
+template <class T>
+struct number_traits;
+
+// A type that number_traits describes: not a reference, not an expression template.
+template <class T>
+concept number_value = requires {
+    { number_traits<std::remove_cvref_t<T>>::is_exact } -> std::convertible_to<bool>;
+    { number_traits<std::remove_cvref_t<T>>::digits } -> std::convertible_to<int>;
+    number_traits<std::remove_cvref_t<T>>::name;
+};
+
+template <class T>
+concept sum_is_a_value = requires(const T& x, const T& y) {
+    { x + y } -> number_value;
+    { x - y } -> number_value;
+};
+
+template <class T>
+concept product_is_a_value = requires(const T& x, const T& y) {
+    { x* y } -> number_value;
+};
+
+template <class T>
+concept negation_is_a_value = requires(const T& x) {
+    { -x } -> number_value;
+};
+
+// A commutative ring whose elements can be made from an int and whose sums, products and negations are values.
+template <class T>
+concept number = number_value<T> && std::copy_constructible<T> && std::constructible_from<T, int> &&
+    sum_is_a_value<T> && product_is_a_value<T> && negation_is_a_value<T>;
+
+template <class T>
+concept exact_number = number<T> && number_traits<T>::is_exact;
+
+// A number that also divides.
+template <class T>
+concept field_number = number<T> && requires(const T& x, const T& y) {
+    { x / y } -> number_value;
+};
+
+template <class T>
+concept has_sqrt = number<T> && requires(const T& x) {
+    { number_traits<T>::sqrt(x) } -> number_value;
+};
+
+template <class T>
+concept has_fma = number<T> && requires(const T& x) {
+    { number_traits<T>::fma(x, x, x) } -> number_value;
+};
+
+// The sign of x: -1, 0 or +1. Exact in every type whose comparison with zero is. A type may bring its own in its
+// traits.
+template <number T>
+[[nodiscard]] constexpr int sign(const T& x) {
+    if constexpr (requires { number_traits<T>::sign(x); }) {
+        return number_traits<T>::sign(x);
+    } else {
+        const T zero(0);
+        return x < zero ? -1 : (zero < x ? 1 : 0);
+    }
+}
+
+// 2x. Exact in every binary type; a type for which it costs less than a sum may bring its own in its traits.
+template <number T>
+[[nodiscard]] constexpr auto twice(const T& x) {
+    if constexpr (requires { number_traits<T>::twice(x); }) {
+        return number_traits<T>::twice(x);
+    } else {
+        return x + x;
+    }
+}
+
+// The square root by the type's own routine, with that routine's error.
+template <has_sqrt T>
+[[nodiscard]] constexpr T square_root(const T& x) {
+    return number_traits<T>::sqrt(x);
+}
+
+} // namespace graze

@@ -1,0 +1,18 @@
+// A ball: a disc in the plane, a sphere in space.
+#pragma once
+
+#include <graze/linear/vec.hpp>
+
+namespace graze {
+
+// position, velocity: of the centre at t = 0, in any one unit of length and of length per time. radius >= 0 (0 is a
+// point). mass > 0 in any unit, or infinite for a ball whose velocity never changes.
+template <int N, class T = double>
+struct ball {
+    vec<N, T> position;
+    vec<N, T> velocity;
+    T radius;
+    T mass = T(1);
+};
+
+} // namespace graze
