@@ -11,11 +11,13 @@
 namespace graze {
 
 // Specialise for a number type T:
-//   static constexpr const char* name;     how tables and messages call it
-//   static constexpr bool is_exact;        sums, differences and products (and quotients, where it has them) never
-//   round static constexpr int digits;           bits of the significand; 0 where is_exact or where there is no such
-//   number static T sqrt(const T&);               only where the type has a square root of its own static T fma(const
-//   T&, const T&, const T&);   only where x*y + z is rounded once
+//   static constexpr const char* name;   how tables and messages call it
+//   static constexpr bool is_exact;      sums, products and negations (and quotients, where it has them) never round
+//   static constexpr int digits;         bits of the significand; 0 where is_exact or where there is no such number
+// and, where it applies:
+//   static constexpr bool is_integer;    true for a type whose operator/ truncates: it is no field_number
+//   static T sqrt(const T&);             the type has a square root of its own
+//   static T fma(const T&, const T&, const T&);   x*y + z, rounded once
 template <class T>
 struct number_traits;
 
@@ -51,9 +53,14 @@ concept number = number_value<T> && std::copy_constructible<T> && std::construct
 template <class T>
 concept exact_number = number<T> && number_traits<T>::is_exact;
 
-// A number that also divides.
 template <class T>
-concept field_number = number<T> && requires(const T& x, const T& y) {
+concept integer_value = requires {
+    requires number_traits<T>::is_integer;
+};
+
+// A number that also divides, other than by truncation.
+template <class T>
+concept field_number = number<T> && !integer_value<T> && requires(const T& x, const T& y) {
     { x / y } -> number_value;
 };
 

@@ -1,0 +1,121 @@
+// Numbers of Boost.Multiprecision, whatever their backend: cpp_bin_float, cpp_dec_float, cpp_int, cpp_rational, gmp_*.
+// Include the backend's own Boost header as well. (number/mpfr.hpp adds to this header what MPFR has beside.)
+//
+// They are numbers with expression templates off only: boost::multiprecision::number<Backend, et_off>. With et_on a sum
+// is an expression that refers to its operands, so graze::number is not satisfied (sum_is_a_value says why).
+#pragma once
+
+#include <graze/number/traits.hpp>
+
+#include <boost/multiprecision/number.hpp>
+
+#include <array>
+#include <limits>
+#include <source_location>
+#include <string_view>
+
+namespace graze {
+
+namespace detail {
+
+template <class Backend>
+consteval std::string_view signature() {
+    return std::source_location::current().function_name();
+}
+
+// The backend's identifier without namespaces, template arguments and the suffix "_backend".
+template <class Backend>
+consteval std::string_view backend_identifier() {
+    std::string_view s = signature<Backend>();
+    s.remove_prefix(s.find("Backend = ") + std::string_view("Backend = ").size());
+    s = s.substr(0, s.find_first_of("<];,"));
+    if (const auto colon = s.rfind(':'); colon != s.npos) {
+        s.remove_prefix(colon + 1);
+    }
+    constexpr std::string_view suffix = "_backend";
+    if (s.ends_with(suffix)) {
+        s.remove_suffix(suffix.size());
+    }
+    return s == "rational_adaptor" ? "cpp_rational"
+           : s == "gmp_rational"   ? "mpq_rational"
+           : s == "gmp_int"        ? "mpz_int"
+                                   : s;
+}
+
+// The identifier, then "_" and the decimal digits if there are any: "cpp_bin_float_50".
+template <class Backend, int Digits10>
+consteval auto backend_name() {
+    constexpr std::string_view base = backend_identifier<Backend>();
+    std::array<char, base.size() + 12> name{};
+    auto out = name.begin();
+    for (const char letter : base) {
+        *out++ = letter;
+    }
+    if (Digits10 > 0) {
+        *out++ = '_';
+        int power = 1;
+        while (Digits10 / power >= 10) {
+            power *= 10;
+        }
+        for (; power > 0; power /= 10) {
+            *out++ = static_cast<char>('0' + Digits10 / power % 10);
+        }
+    }
+    return name;
+}
+
+template <class Backend, int Digits10>
+inline constexpr auto backend_name_storage = backend_name<Backend, Digits10>();
+
+template <class Backend>
+inline constexpr auto backend_kind =
+    static_cast<boost::multiprecision::number_category_type>(boost::multiprecision::number_category<Backend>::value);
+
+template <class Backend>
+inline constexpr bool is_real_backend =
+    backend_kind<Backend> != boost::multiprecision::number_kind_complex&& backend_kind<Backend> !=
+    boost::multiprecision::number_kind_unknown;
+
+// Bits of the significand. A decimal type's are floor(digits · log2(10)): what its coarsest spacing is sure to hold.
+template <class Limits>
+consteval int significand_bits() {
+    return Limits::radix == 10 ? static_cast<int>(static_cast<long long>(Limits::digits10) * 33219 / 10000)
+                               : Limits::digits;
+}
+
+} // namespace detail
+
+// How tables call a backend; specialise to call it otherwise. "cpp_bin_float_50", "cpp_rational", "mpfr_float_50".
+template <class Backend, int Digits10>
+inline constexpr const char* boost_name = detail::backend_name_storage<Backend, Digits10>.data();
+
+// Integers and rationals: exact, unless of a fixed width that wraps silently (a checked one throws instead).
+template <class Backend, boost::multiprecision::expression_template_option Templates>
+requires(detail::is_real_backend<Backend>&& detail::backend_kind<Backend> !=
+         boost::multiprecision::
+             number_kind_floating_point) struct number_traits<boost::multiprecision::number<Backend, Templates>> {
+    using limits = std::numeric_limits<boost::multiprecision::number<Backend, boost::multiprecision::et_off>>;
+    static constexpr const char* name = boost_name<Backend, 0>;
+    static constexpr bool is_exact = limits::is_exact && !limits::is_modulo;
+    static constexpr bool is_integer = detail::backend_kind<Backend> == boost::multiprecision::number_kind_integer;
+    static constexpr int digits = is_exact ? 0 : limits::digits;
+    template <class T>
+    static int sign(const T& x) {
+        return x.sign();
+    }
+};
+
+// Floating-point numbers, with Boost's square root.
+template <class Backend, boost::multiprecision::expression_template_option Templates>
+requires(detail::is_real_backend<Backend>&& detail::backend_kind<Backend> ==
+         boost::multiprecision::
+             number_kind_floating_point) struct number_traits<boost::multiprecision::number<Backend, Templates>> {
+    using value = boost::multiprecision::number<Backend, Templates>;
+    using limits = std::numeric_limits<boost::multiprecision::number<Backend, boost::multiprecision::et_off>>;
+    static constexpr const char* name = boost_name<Backend, limits::digits10>;
+    static constexpr bool is_exact = false;
+    static constexpr int digits = detail::significand_bits<limits>();
+    static value sqrt(const value& x) { return boost::multiprecision::sqrt(x); }
+};
+
+} // namespace graze
