@@ -1,0 +1,24 @@
+// From the text of a number to its exact value.
+#pragma once
+
+#include "problem.hpp"
+
+#include <stdexcept>
+#include <string_view>
+
+namespace compare {
+
+// A text that is not a number, or one too large to be held exactly. what() says what is wrong, without the place.
+class number_text_error : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// The value of a decimal (-12, 0.1, 6.02e23), a hexadecimal float (0x1.8p-3) or a fraction of integers (1/3), exactly.
+// Throws number_text_error for anything else, and for more than 10,000 characters or a value beyond 10^±10,000.
+[[nodiscard]] exact parse_exact(std::string_view text);
+
+// Whether text is inf or Infinity, in any case, with or without a +: what a mass may be beside a number.
+[[nodiscard]] bool is_infinity(std::string_view text);
+
+} // namespace compare

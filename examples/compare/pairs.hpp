@@ -1,0 +1,48 @@
+// The pairs of a scene, all of them or a sample.
+#pragma once
+
+#include "problem.hpp"
+
+#include <graze/formula/encounter.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace compare {
+
+[[nodiscard]] const char* to_string(pair_kind kind) noexcept; // "ball-ball", "ball-plane", "ball-wall"
+
+// The pairs of one kind that meet alike: how many the scene has and how many were taken.
+struct stratum {
+    pair_kind kind;
+    graze::encounter what;
+    std::uint64_t total;
+    std::uint64_t taken;
+};
+
+template <int N>
+struct scene_pairs {
+    std::vector<problem<N>> pairs;
+    std::vector<stratum> strata;     // those that occur
+    std::uint64_t total = 0;         // pairs in the scene
+    std::uint64_t both_infinite = 0; // pairs of two infinite masses: left out, and not part of total
+    [[nodiscard]] bool is_sample() const { return pairs.size() < total; }
+};
+
+inline constexpr std::size_t sample_size = 2000;
+inline constexpr std::size_t every_pair = static_cast<std::size_t>(-1);
+
+// Every pair of the scene if there are at most `largest`; otherwise about that many, drawn without replacement from
+// each stratum: each gets an equal share of `largest`, or all it has, and what is left over goes to the larger ones.
+// The same scene, largest and seed give the same sample on every platform. group is copied into the problems.
+template <int N>
+[[nodiscard]] scene_pairs<N> pairs_of(const exact_scene<N>& scene, const std::string& group,
+                                      std::size_t largest = sample_size, std::uint64_t seed = 1);
+
+// How a pair meets, decided exactly in integers.
+template <int N>
+[[nodiscard]] graze::encounter encounter_of_pair(const problem<N>& pair);
+
+} // namespace compare

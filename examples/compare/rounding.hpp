@@ -1,0 +1,42 @@
+// From an exact value to the nearest one of a binary floating format, in integers.
+#pragma once
+
+#include "problem.hpp"
+
+namespace compare {
+
+// In the convention of std::numeric_limits: finite values are below 2^max_exponent, the smallest normal one is
+// 2^(min_exponent - 1), and the subnormal ones below it are multiples of 2^(min_exponent - digits).
+struct binary_format {
+    long digits;
+    long min_exponent;
+    long max_exponent;
+};
+
+inline constexpr binary_format double_format{53, -1021, 1024};
+
+enum class rounding { to_nearest, down, up }; // ties to even; down and up: towards minus and plus infinity
+
+// (-1)^negative · significand · 2^exponent, or an infinity of that sign. significand has at most digits bits.
+struct rounded_value {
+    bool negative = false;
+    bool infinite = false;
+    boost::multiprecision::cpp_int significand = 0;
+    long exponent = 0;
+};
+
+// x rounded once to the format.
+[[nodiscard]] rounded_value round_to(const exact& x, const binary_format& format,
+                                     rounding direction = rounding::to_nearest);
+
+// x rounded to nearest, ties to even, subnormals kept; ±infinity where that is what rounding gives. Zero is +0.
+[[nodiscard]] double nearest_double(const exact& x);
+
+// The largest double <= x and the smallest one >= x, infinities included.
+[[nodiscard]] double double_below(const exact& x);
+[[nodiscard]] double double_above(const exact& x);
+
+// A finite double's exact value; std::domain_error for any other.
+[[nodiscard]] exact exact_of(double x);
+
+} // namespace compare

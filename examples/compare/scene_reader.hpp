@@ -1,0 +1,39 @@
+// Scene files in JSON. Their numbers are taken as they are written, not as doubles.
+//
+//   {"dimension": 2, "name": "...", "description": "...", "source": "...",
+//    "balls":  [{"position": [x, y], "velocity": [x, y], "radius": r, "mass": m}],
+//    "planes": [{"point": [x, y], "normal": [x, y]}],
+//    "walls":  [{"corner": [x, y], "edges": [[x, y]]}]}
+//
+// dimension and balls are required; a ball's mass is 1 unless given, and may be "inf". In space vectors have three
+// components and a wall two edges. A number is a JSON number or a string that parse_exact reads.
+#pragma once
+
+#include "input_error.hpp"
+#include "problem.hpp"
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace compare {
+
+struct scene_file {
+    std::string name; // the file's "name", or its file name without the extension
+    std::string description;
+    std::string source;
+    std::variant<exact_scene<2>, exact_scene<3>> scene;
+};
+
+// exactly: as written. as_double: each number rounded to the nearest double, so that all types solve the same problem;
+// one that overflows is an error.
+enum class number_input { as_double, exactly };
+
+// Throws input_error. The file is at most 256 MiB.
+[[nodiscard]] scene_file read_scene(const std::string& path, number_input numbers = number_input::as_double);
+
+// The same from text; file is what messages call it.
+[[nodiscard]] scene_file read_scene_text(std::string_view text, const std::string& file,
+                                         number_input numbers = number_input::as_double);
+
+} // namespace compare
