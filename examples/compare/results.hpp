@@ -148,6 +148,7 @@ struct machine_information {
 };
 
 struct results {
+    std::string command; // the arguments as they were typed, program name first; empty where unknown
     machine_information machine;
     std::string source; // the scene file, the family, or "default"
     std::string as;     // "double" or "exact"
