@@ -67,14 +67,18 @@ consteval auto backend_name() {
 template <class Backend, int Digits10>
 inline constexpr auto backend_name_storage = backend_name<Backend, Digits10>();
 
-template <class Backend>
-inline constexpr auto backend_kind =
-    static_cast<boost::multiprecision::number_category_type>(boost::multiprecision::number_category<Backend>::value);
+template <class Backend, int... Kinds>
+concept backend_of_kind = ((boost::multiprecision::number_category<Backend>::value == Kinds) || ...);
 
 template <class Backend>
-inline constexpr bool is_real_backend =
-    backend_kind<Backend> != boost::multiprecision::number_kind_complex&& backend_kind<Backend> !=
-    boost::multiprecision::number_kind_unknown;
+concept floating_backend = backend_of_kind<Backend, boost::multiprecision::number_kind_floating_point>;
+
+template <class Backend>
+concept integer_backend = backend_of_kind<Backend, boost::multiprecision::number_kind_integer>;
+
+template <class Backend>
+concept ring_backend =
+    integer_backend<Backend> || backend_of_kind<Backend, boost::multiprecision::number_kind_rational>;
 
 // Bits of the significand. A decimal type's are floor(digits · log2(10)): what its coarsest spacing is sure to hold.
 template <class Limits>
@@ -90,32 +94,33 @@ template <class Backend, int Digits10>
 inline constexpr const char* boost_name = detail::backend_name_storage<Backend, Digits10>.data();
 
 // Integers and rationals: exact, unless of a fixed width that wraps silently (a checked one throws instead).
-template <class Backend, boost::multiprecision::expression_template_option Templates>
-requires(detail::is_real_backend<Backend>&& detail::backend_kind<Backend> !=
-         boost::multiprecision::
-             number_kind_floating_point) struct number_traits<boost::multiprecision::number<Backend, Templates>> {
+template <detail::ring_backend Backend, boost::multiprecision::expression_template_option Templates>
+struct number_traits<boost::multiprecision::number<Backend, Templates>> {
     using limits = std::numeric_limits<boost::multiprecision::number<Backend, boost::multiprecision::et_off>>;
     static constexpr const char* name = boost_name<Backend, 0>;
     static constexpr bool is_exact = limits::is_exact && !limits::is_modulo;
-    static constexpr bool is_integer = detail::backend_kind<Backend> == boost::multiprecision::number_kind_integer;
+    static constexpr bool is_integer = detail::integer_backend<Backend>;
     static constexpr int digits = is_exact ? 0 : limits::digits;
-    template <class T>
-    static int sign(const T& x) {
-        return x.sign();
-    }
+    static int sign(const boost::multiprecision::number<Backend, Templates>& x) { return x.sign(); }
 };
 
-// Floating-point numbers, with Boost's square root.
+namespace detail {
+
 template <class Backend, boost::multiprecision::expression_template_option Templates>
-requires(detail::is_real_backend<Backend>&& detail::backend_kind<Backend> ==
-         boost::multiprecision::
-             number_kind_floating_point) struct number_traits<boost::multiprecision::number<Backend, Templates>> {
+struct boost_floating_traits {
     using value = boost::multiprecision::number<Backend, Templates>;
     using limits = std::numeric_limits<boost::multiprecision::number<Backend, boost::multiprecision::et_off>>;
     static constexpr const char* name = boost_name<Backend, limits::digits10>;
     static constexpr bool is_exact = false;
-    static constexpr int digits = detail::significand_bits<limits>();
+    static constexpr int digits = significand_bits<limits>();
     static value sqrt(const value& x) { return boost::multiprecision::sqrt(x); }
 };
+
+} // namespace detail
+
+// Floating-point numbers, with Boost's square root.
+template <detail::floating_backend Backend, boost::multiprecision::expression_template_option Templates>
+struct number_traits<boost::multiprecision::number<Backend, Templates>>
+    : detail::boost_floating_traits<Backend, Templates> {};
 
 } // namespace graze

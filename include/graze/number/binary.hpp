@@ -1,0 +1,117 @@
+// Finite binary numbers taken apart: significand · 2^exponent, from their bits alone.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace graze {
+
+// significand · 2^exponent. The significand is odd or 0 (then the exponent means nothing).
+struct binary {
+    std::int64_t significand = 0;
+    int exponent = 0;
+};
+
+// The types of whose values the predicates take decisions.
+template <class T>
+inline constexpr bool is_binary_input = false;
+template <>
+inline constexpr bool is_binary_input<float> = true;
+template <>
+inline constexpr bool is_binary_input<double> = true;
+template <>
+inline constexpr bool is_binary_input<std::int32_t> = true;
+template <>
+inline constexpr bool is_binary_input<std::int64_t> = true;
+
+namespace detail {
+
+// The bits of x, read through the reference, so that no arithmetic register quietens or flushes the value.
+[[nodiscard]] constexpr std::uint64_t bits_of(const double& x) noexcept { return std::bit_cast<std::uint64_t>(x); }
+[[nodiscard]] constexpr std::uint32_t bits_of(const float& x) noexcept { return std::bit_cast<std::uint32_t>(x); }
+
+[[nodiscard]] constexpr binary odd(std::int64_t significand, int exponent) noexcept {
+    if (significand == 0) {
+        return {0, 0};
+    }
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(significand));
+    return {significand >> zeros, exponent + zeros};
+}
+
+} // namespace detail
+
+// Whether x is neither infinite nor NaN, by its exponent bits.
+[[nodiscard]] constexpr bool is_finite_input(const double& x) noexcept {
+    return (detail::bits_of(x) & 0x7ff0000000000000U) != 0x7ff0000000000000U;
+}
+[[nodiscard]] constexpr bool is_finite_input(const float& x) noexcept {
+    return (detail::bits_of(x) & 0x7f800000U) != 0x7f800000U;
+}
+[[nodiscard]] constexpr bool is_finite_input(const std::int32_t&) noexcept { return true; }
+[[nodiscard]] constexpr bool is_finite_input(const std::int64_t&) noexcept { return true; }
+
+// x taken apart; x is finite. Exact for subnormals, whatever the flushing mode.
+[[nodiscard]] constexpr binary to_binary(const double& x) noexcept {
+    const std::uint64_t bits = detail::bits_of(x);
+    const int field = static_cast<int>(bits >> 52 & 0x7ff);
+    const std::uint64_t hidden = field != 0 ? std::uint64_t{1} << 52 : 0;
+    const auto magnitude = static_cast<std::int64_t>((bits & 0xfffffffffffffU) | hidden);
+    return detail::odd(bits >> 63 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 1075);
+}
+[[nodiscard]] constexpr binary to_binary(const float& x) noexcept {
+    const std::uint32_t bits = detail::bits_of(x);
+    const int field = static_cast<int>(bits >> 23 & 0xff);
+    const std::uint32_t hidden = field != 0 ? std::uint32_t{1} << 23 : 0;
+    const auto magnitude = static_cast<std::int64_t>((bits & 0x7fffffU) | hidden);
+    return detail::odd(bits >> 31 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 150);
+}
+[[nodiscard]] constexpr binary to_binary(const std::int32_t& x) noexcept { return detail::odd(x, 0); }
+[[nodiscard]] constexpr binary to_binary(const std::int64_t& x) noexcept { return detail::odd(x, 0); }
+
+// K numbers as integers on one scale: value_i = significand_i · 2^(shift_i + exponent), 0 <= shift_i, |value_i| < 2^(width +
+// exponent).
+template <std::size_t K>
+struct lifted {
+    std::array<std::int64_t, K> significand{};
+    std::array<int, K> shift{};
+    int exponent = 0;
+    int width = 0;
+
+    // Value i over 2^exponent, in an integer type of at least `width` bits.
+    template <class I>
+    [[nodiscard]] constexpr I get(std::size_t i) const noexcept {
+        return I::from_shifted(significand[i], shift[i]);
+    }
+};
+
+// The scale is the lowest bit that is set in any of them; zeros take no part.
+template <class T, std::size_t K>
+[[nodiscard]] constexpr lifted<K> lift(const std::array<T, K>& values) noexcept {
+    lifted<K> r;
+    int low = std::numeric_limits<int>::max();
+    int high = std::numeric_limits<int>::min();
+    for (std::size_t i = 0; i < K; ++i) {
+        const binary b = to_binary(values[i]);
+        r.significand[i] = b.significand;
+        r.shift[i] = b.exponent;
+        if (b.significand != 0) {
+            const auto magnitude = static_cast<std::uint64_t>(b.significand < 0 ? -b.significand : b.significand);
+            const int top = b.exponent + static_cast<int>(std::bit_width(magnitude));
+            low = b.exponent < low ? b.exponent : low;
+            high = top > high ? top : high;
+        }
+    }
+    if (high >= low) {
+        r.exponent = low;
+        r.width = high - low;
+    }
+    for (std::size_t i = 0; i < K; ++i) {
+        r.shift[i] = r.significand[i] != 0 ? r.shift[i] - r.exponent : 0;
+    }
+    return r;
+}
+
+} // namespace graze

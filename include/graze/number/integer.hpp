@@ -1,0 +1,194 @@
+// Integers whose width is in their type: sums and products are wider types, so that overflow is impossible.
+#pragma once
+
+#include <graze/number/traits.hpp>
+#include <graze/number/wide_multiply.hpp>
+
+#include <array>
+#include <bit>
+#include <compare>
+#include <concepts>
+#include <cstdint>
+
+namespace graze {
+
+// An integer x with |x| < 2^Bits. Exact, constexpr, never allocates. + and - give max + 1 bits, * the sum of both.
+// Two's complement in 64-bit limbs, the lowest first.
+template <int Bits>
+class integer {
+    static_assert(Bits >= 1, "graze::integer: at least one bit");
+
+  public:
+    static constexpr int bits = Bits;
+    static constexpr int limbs = Bits / 64 + 1;
+
+    constexpr integer() noexcept = default;
+
+    // Exact; refuses to compile where a value of the argument's type may not fit.
+    template <std::signed_integral I>
+        requires(sizeof(I) <= 8 && (Bits >= 8 * static_cast<int>(sizeof(I)) || std::same_as<I, int>))
+    constexpr integer(I value) noexcept {
+        fill(static_cast<std::int64_t>(value));
+    }
+
+    // From a narrower one.
+    template <int B>
+        requires(B < Bits)
+    constexpr integer(const integer<B>& x) noexcept {
+        for (int i = 0; i < limbs; ++i) {
+            limb_[static_cast<unsigned>(i)] = x.limb(i);
+        }
+    }
+
+    // The value of a 64-bit word of which the caller knows that it fits.
+    [[nodiscard]] static constexpr integer from_word(std::int64_t value) noexcept {
+        integer x;
+        x.fill(value);
+        return x;
+    }
+
+    // significand · 2^shift, of which the caller knows that it fits; 0 <= shift.
+    [[nodiscard]] static constexpr integer from_shifted(std::int64_t significand, int shift) noexcept {
+        integer x;
+        if constexpr (limbs == 1) {
+            x.limb_[0] = static_cast<std::uint64_t>(significand) << shift;
+        } else {
+            const auto value = static_cast<std::uint64_t>(significand);
+            const std::uint64_t extension = significand < 0 ? ~std::uint64_t{0} : 0;
+            const int word = shift / 64;
+            const int bit = shift % 64;
+            for (int i = 0; i < limbs; ++i) {
+                const std::uint64_t here = i < word ? 0 : i == word ? value : extension;
+                const std::uint64_t below = i <= word ? 0 : i == word + 1 ? value : extension;
+                x.limb_[static_cast<unsigned>(i)] = bit == 0 ? here : here << bit | below >> (64 - bit);
+            }
+        }
+        return x;
+    }
+
+    // Limb i of the two's complement, sign-extended beyond the last.
+    [[nodiscard]] constexpr std::uint64_t limb(int i) const noexcept {
+        return i < limbs ? limb_[static_cast<unsigned>(i)] : extension();
+    }
+    [[nodiscard]] constexpr bool is_negative() const noexcept {
+        return static_cast<std::int64_t>(limb_[limbs - 1]) < 0;
+    }
+
+    [[nodiscard]] constexpr integer operator-() const noexcept {
+        integer r;
+        std::uint64_t carry = 1;
+        for (unsigned i = 0; i < limbs; ++i) {
+            r.limb_[i] = detail::add_with_carry(~limb_[i], 0, carry);
+        }
+        return r;
+    }
+
+    [[nodiscard]] constexpr int sign() const noexcept {
+        std::uint64_t any = 0;
+        for (unsigned i = 0; i < limbs; ++i) {
+            any |= limb_[i];
+        }
+        return is_negative() ? -1 : any != 0 ? 1 : 0;
+    }
+
+    [[nodiscard]] friend constexpr bool operator==(const integer&, const integer&) noexcept = default;
+    [[nodiscard]] friend constexpr std::strong_ordering operator<=>(const integer& x, const integer& y) noexcept {
+        if (x.is_negative() != y.is_negative()) {
+            return x.is_negative() ? std::strong_ordering::less : std::strong_ordering::greater;
+        }
+        for (unsigned i = limbs; i-- > 0;) {
+            if (x.limb_[i] != y.limb_[i]) {
+                return x.limb_[i] <=> y.limb_[i];
+            }
+        }
+        return std::strong_ordering::equal;
+    }
+
+    // Writes limb i; for the arithmetic below.
+    constexpr void set_limb(int i, std::uint64_t value) noexcept { limb_[static_cast<unsigned>(i)] = value; }
+
+  private:
+    [[nodiscard]] constexpr std::uint64_t extension() const noexcept {
+        return is_negative() ? ~std::uint64_t{0} : 0;
+    }
+    constexpr void fill(std::int64_t value) noexcept {
+        limb_[0] = static_cast<std::uint64_t>(value);
+        for (unsigned i = 1; i < limbs; ++i) {
+            limb_[i] = value < 0 ? ~std::uint64_t{0} : 0;
+        }
+    }
+
+    std::array<std::uint64_t, limbs> limb_{};
+};
+
+template <int A, int B>
+[[nodiscard]] constexpr auto operator+(const integer<A>& x, const integer<B>& y) noexcept {
+    using sum = integer<(A > B ? A : B) + 1>;
+    sum r;
+    std::uint64_t carry = 0;
+    for (int i = 0; i < sum::limbs; ++i) {
+        r.set_limb(i, detail::add_with_carry(x.limb(i), y.limb(i), carry));
+    }
+    return r;
+}
+
+template <int A, int B>
+[[nodiscard]] constexpr auto operator-(const integer<A>& x, const integer<B>& y) noexcept {
+    using difference = integer<(A > B ? A : B) + 1>;
+    difference r;
+    std::uint64_t carry = 1;
+    for (int i = 0; i < difference::limbs; ++i) {
+        r.set_limb(i, detail::add_with_carry(x.limb(i), ~y.limb(i), carry));
+    }
+    return r;
+}
+
+// Rows of unsigned products; what a negative factor's top bit counted too much is taken off at the end (modulo the width).
+template <int A, int B>
+[[nodiscard]] constexpr auto operator*(const integer<A>& x, const integer<B>& y) noexcept {
+    using product = integer<A + B>;
+    constexpr int rows = integer<A>::limbs;
+    constexpr int columns = integer<B>::limbs;
+    product r;
+    if constexpr (rows == 1 && columns == 1) {
+        const auto p = detail::multiply_add_balanced(static_cast<std::int64_t>(x.limb(0)),
+                                                     static_cast<std::int64_t>(y.limb(0)), 0, 0);
+        r.set_limb(0, static_cast<std::uint64_t>(p.low));
+        if constexpr (product::limbs == 2) {
+            r.set_limb(1, static_cast<std::uint64_t>(p.high) - (p.low < 0 ? 1U : 0U));
+        }
+    } else {
+        for (int i = 0; i < rows; ++i) {
+            std::uint64_t carry = 0;
+            for (int j = 0; j < columns && i + j < product::limbs; ++j) {
+                const auto t = detail::multiply_add(x.limb(i), y.limb(j), r.limb(i + j), carry);
+                r.set_limb(i + j, t.low);
+                carry = t.high;
+            }
+            if (i + columns < product::limbs) {
+                r.set_limb(i + columns, carry);
+            }
+        }
+        const std::uint64_t x_negative = x.is_negative() ? ~std::uint64_t{0} : 0;
+        const std::uint64_t y_negative = y.is_negative() ? ~std::uint64_t{0} : 0;
+        std::uint64_t borrow = 1;
+        for (int j = 0; j < columns && rows + j < product::limbs; ++j) {
+            r.set_limb(rows + j, detail::add_with_carry(r.limb(rows + j), ~(y.limb(j) & x_negative), borrow));
+        }
+        borrow = 1;
+        for (int i = 0; i < rows && columns + i < product::limbs; ++i) {
+            r.set_limb(columns + i, detail::add_with_carry(r.limb(columns + i), ~(x.limb(i) & y_negative), borrow));
+        }
+    }
+    return r;
+}
+
+template <int Bits>
+struct number_traits<integer<Bits>> {
+    static constexpr const char* name = "integer";
+    static constexpr bool is_exact = true;
+    static constexpr int digits = 0;
+    static constexpr int sign(const integer<Bits>& x) noexcept { return x.sign(); }
+};
+
+} // namespace graze

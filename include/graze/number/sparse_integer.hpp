@@ -1,0 +1,154 @@
+// Integers with few non-zero digits: what doubles whose exponents lie far apart are when lifted to one scale.
+#pragma once
+
+#include <graze/number/integer.hpp>
+
+#include <algorithm>
+
+namespace graze {
+
+// An integer x with |x| < 2^Bits as Σ digit_i 2^(64 position_i), the digits in [-2^63, 2^63), zero digits left out. A carry
+// is one more digit and does not run through zeros, so that 2^2000 - 1 has two digits. The sign is that of the
+// highest digit, since all below it amount to less than its unit. Same widths as integer<Bits>; never allocates. The cost of a
+// product is that of its non-zero digits.
+template <int Bits>
+class sparse_integer {
+  public:
+    static constexpr int bits = Bits;
+    static constexpr int capacity = Bits / 64 + 2;
+
+    constexpr sparse_integer() noexcept : count_(0) {}
+    constexpr sparse_integer(int value) noexcept : sparse_integer(from_shifted(value, 0)) {}
+
+    template <int B>
+        requires(B < Bits)
+    constexpr sparse_integer(const sparse_integer<B>& x) noexcept : count_(0) {
+        for (int i = 0; i < x.count(); ++i) {
+            append(x.position(i), x.digit(i));
+        }
+    }
+
+    // significand · 2^shift, of which the caller knows that it fits; 0 <= shift.
+    [[nodiscard]] static constexpr sparse_integer from_shifted(std::int64_t significand, int shift) noexcept {
+        sparse_integer r;
+        const int word = shift / 64;
+        const int bit = shift % 64; // 2^63 is not a digit, so that the power is taken in two factors
+        const auto half = detail::multiply_add_balanced(significand, std::int64_t{1} << bit / 2, 0, 0);
+        const auto low = detail::multiply_add_balanced(half.low, std::int64_t{1} << (bit - bit / 2), 0, 0);
+        r.append(word, low.low);
+        r.append(word + 1, half.high * (std::int64_t{1} << (bit - bit / 2)) + low.high);
+        return r;
+    }
+
+    [[nodiscard]] constexpr int count() const noexcept { return count_; }
+    [[nodiscard]] constexpr int position(int i) const noexcept { return position_[i]; }
+    [[nodiscard]] constexpr std::int64_t digit(int i) const noexcept { return digit_[i]; }
+    [[nodiscard]] constexpr int sign() const noexcept {
+        return count_ == 0 ? 0 : digit_[count_ - 1] < 0 ? -1 : 1;
+    }
+
+    // Adds a digit above all others; a zero is left out.
+    constexpr void append(int position, std::int64_t digit) noexcept {
+        if (digit != 0) {
+            position_[count_] = static_cast<std::int16_t>(position);
+            digit_[count_] = digit;
+            ++count_;
+        }
+    }
+
+    [[nodiscard]] constexpr auto operator-() const noexcept { return sparse_integer<1>() - *this; }
+
+  private:
+    int count_;
+    std::int16_t position_[capacity];
+    std::int64_t digit_[capacity];
+};
+
+namespace detail {
+
+// x + factor·y for factor 1 or -1, digit by digit from the lowest.
+template <class R, int A, int B>
+[[nodiscard]] constexpr R sparse_sum(const sparse_integer<A>& x, const sparse_integer<B>& y, int factor) noexcept {
+    R r;
+    int i = 0;
+    int j = 0;
+    std::int64_t carry = 0;
+    int carry_position = 0;
+    while (i < x.count() || j < y.count() || carry != 0) {
+        int p = carry != 0 ? carry_position : 0x7fff;
+        p = i < x.count() ? std::min(p, x.position(i)) : p;
+        p = j < y.count() ? std::min(p, y.position(j)) : p;
+        const std::int64_t from_x = i < x.count() && x.position(i) == p ? x.digit(i++) : 0;
+        const std::int64_t from_y = j < y.count() && y.position(j) == p ? y.digit(j++) : 0;
+        const std::int64_t carried = carry != 0 && carry_position == p ? carry : 0;
+        const auto t = multiply_add_balanced(from_y, factor, from_x, carried);
+        r.append(p, t.low);
+        carry = t.high;
+        carry_position = p + 1;
+    }
+    return r;
+}
+
+} // namespace detail
+
+template <int A, int B>
+[[nodiscard]] constexpr auto operator+(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
+    return detail::sparse_sum<sparse_integer<(A > B ? A : B) + 1>>(x, y, 1);
+}
+template <int A, int B>
+[[nodiscard]] constexpr auto operator-(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
+    return detail::sparse_sum<sparse_integer<(A > B ? A : B) + 1>>(x, y, -1);
+}
+
+// Rows of digit products into a dense accumulator, of which only the touched part is read back.
+template <int A, int B>
+[[nodiscard]] constexpr auto operator*(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
+    sparse_integer<A + B> r;
+    if (x.count() == 0 || y.count() == 0) {
+        return r;
+    }
+    constexpr int capacity = sparse_integer<A>::capacity + sparse_integer<B>::capacity + 2;
+    std::int64_t sum[capacity];
+    const int first = x.position(0) + y.position(0);
+    const int last = x.position(x.count() - 1) + y.position(y.count() - 1) + 2;
+    for (int i = first; i <= last; ++i) {
+        sum[i] = 0;
+    }
+    const auto deposit = [&](int p, std::int64_t carry) {
+        while (carry != 0) {
+            const auto t = detail::multiply_add_balanced(0, 0, sum[p], carry);
+            sum[p++] = t.low;
+            carry = t.high;
+        }
+    };
+    for (int i = 0; i < x.count(); ++i) {
+        std::int64_t carry = 0;
+        int next = 0;
+        for (int j = 0; j < y.count(); ++j) {
+            const int p = x.position(i) + y.position(j);
+            if (p != next) {
+                deposit(next, carry);
+                carry = 0;
+            }
+            const auto t = detail::multiply_add_balanced(x.digit(i), y.digit(j), sum[p], carry);
+            sum[p] = t.low;
+            carry = t.high;
+            next = p + 1;
+        }
+        deposit(next, carry);
+    }
+    for (int i = first; i <= last; ++i) {
+        r.append(i, sum[i]);
+    }
+    return r;
+}
+
+template <int Bits>
+struct number_traits<sparse_integer<Bits>> {
+    static constexpr const char* name = "sparse_integer";
+    static constexpr bool is_exact = true;
+    static constexpr int digits = 0;
+    static constexpr int sign(const sparse_integer<Bits>& x) noexcept { return x.sign(); }
+};
+
+} // namespace graze
