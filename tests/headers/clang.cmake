@@ -1,0 +1,16 @@
+# cmake -D CLANG=compiler -D SOURCES=file;... -D INCLUDE=directory -P clang.cmake
+if(NOT CLANG)
+    message("clang is not found: no header was compiled in it")
+    return()
+endif()
+set(failed)
+foreach(source IN LISTS SOURCES)
+    execute_process(COMMAND "${CLANG}" -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror
+        "-I${INCLUDE}" "${source}" RESULT_VARIABLE result)
+    if(result)
+        list(APPEND failed "${source}")
+    endif()
+endforeach()
+if(failed OR NOT SOURCES)
+    message(FATAL_ERROR "do not compile alone in ${CLANG}: ${failed}")
+endif()

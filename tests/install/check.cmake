@@ -1,0 +1,36 @@
+# cmake -D WAY=install|find_package|pkg-config|add_subdirectory -D BUILD=... -D SOURCE=... -D WORK=... -D COMPILER=...
+#       -P check.cmake
+# One way for a user to get at graze, tried from nothing. The tree is moved after the installation, so that whatever
+# names its old place fails.
+set(prefix "${WORK}/prefix")
+set(consumer "${CMAKE_CURRENT_LIST_DIR}/consumer")
+
+function(run)
+    execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+function(build_consumer)
+    file(REMOVE_RECURSE "${WORK}/${WAY}")
+    run("${CMAKE_CTEST_COMMAND}" --build-and-test "${consumer}" "${WORK}/${WAY}" --build-generator "${GENERATOR}"
+        --build-options "-DCMAKE_CXX_COMPILER=${COMPILER}" ${ARGV} --test-command "${CMAKE_CTEST_COMMAND}"
+        --output-on-failure --no-tests=error)
+endfunction()
+
+if(WAY STREQUAL "install")
+    file(REMOVE_RECURSE "${WORK}")
+    run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/before")
+    file(RENAME "${WORK}/before" "${prefix}")
+elseif(WAY STREQUAL "find_package")
+    build_consumer("-DCMAKE_PREFIX_PATH=${prefix}")
+elseif(WAY STREQUAL "add_subdirectory")
+    build_consumer("-DGRAZE_SOURCE=${SOURCE}")
+elseif(WAY STREQUAL "pkg-config")
+    set(ENV{PKG_CONFIG_PATH} "${prefix}/share/pkgconfig")
+    execute_process(COMMAND pkg-config --cflags graze OUTPUT_VARIABLE flags
+        OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    separate_arguments(flags UNIX_COMMAND "${flags}")
+    run("${COMPILER}" -std=c++20 ${flags} "${consumer}/main.cpp" -o "${WORK}/by_pkg_config")
+    run("${WORK}/by_pkg_config")
+else()
+    message(FATAL_ERROR "no such way: '${WAY}'")
+endif()
