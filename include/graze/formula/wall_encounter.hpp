@@ -176,7 +176,7 @@ class wall_decision {
             return false;
         }
         const int side = signs_.root(edge_side_p<I, Far>{}, edge_side_q<I, Far>{}, root{}, -1);
-        if ((Far == 0 ? side : -side) > 0) {
+        if ((Far == 0 ? side : -side) > 0 || (d == 0 && slides_off_edge<I, Far>())) {
             return false;
         }
         found = {d == 0 ? encounter::graze : encounter::hit, feature::edge, 2 * I + Far};
@@ -197,8 +197,39 @@ class wall_decision {
                 return false;
             }
         }
+        if (d == 0 && slides_off_corner<K>()) {
+            return false;
+        }
         found = {d == 0 ? encounter::graze : encounter::hit, feature::corner, K};
         return true;
+    }
+
+    // A ball that slides along the face at distance r touches the wall from one border to the other. Whether it leaves
+    // the wall at this edge or corner, at which D = 0: whether the touching point was on the wall just before.
+    template <int I, int Far>
+    [[nodiscard]] constexpr bool slides_off_edge() const {
+        if (signs_(plane_speed{}) != 0) {
+            return false;
+        }
+        const int outward = signs_(side_speed<I>{});
+        const int along = signs_(side_speed<1 - I>{});
+        using root = edge_discriminant<I, Far>;
+        const bool from_start =
+            along > 0 && signs_.root(edge_foot_p<I, Far, 0>{}, edge_foot_q<I, Far>{}, root{}, -1) == 0;
+        const bool from_end =
+            along < 0 && signs_.root(edge_foot_p<I, Far, 1>{}, edge_foot_q<I, Far>{}, root{}, -1) == 0;
+        return (Far == 0 ? outward : -outward) < 0 && !from_start && !from_end;
+    }
+    template <int K>
+    [[nodiscard]] constexpr bool slides_off_corner() const {
+        if (signs_(plane_speed{}) != 0 || inward<K, 0>(signs_(side_speed<0>{})) > 0) {
+            return false;
+        }
+        if constexpr (N == 3) {
+            return inward<K, 1>(signs_(side_speed<1>{})) <= 0;
+        } else {
+            return true;
+        }
     }
 
     template <int K, int I>

@@ -63,6 +63,15 @@ struct side_height {
     }
 };
 
+// u·side_i: how fast λ_i grows, times n·n.
+template <int I>
+struct side_speed {
+    template <class M>
+    [[nodiscard]] constexpr auto operator()(const M& m) const {
+        return dot(m.u, m.side[I]);
+    }
+};
+
 // The rectangle test at the time t at which the ball touches the face's plane: (λ_i(t) - far) n·n (u·n) is p - σ q√d
 // with these, σ the sign of u·n.
 template <int I, int Far>
