@@ -1,0 +1,299 @@
+// What becomes of a ball and a ball, a plane or a wall, in exact arithmetic, found in another way than the library's.
+//
+// The square of the distance between a moving centre and a thing is the least of a few parabolas, each of which holds
+// over an interval of time: one for a ball, the wall's face, each of its edges and corners. Nothing but their minima
+// over these intervals and the roots of those that reach r² is needed.
+#pragma once
+
+#include "lift.hpp"
+#include "surd.hpp"
+
+#include <graze/shape/ball.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/wall.hpp>
+
+#include <optional>
+#include <stdexcept>
+
+namespace oracle {
+
+enum class encounter { overlap, recede, miss, graze, hit }; // in the library's order
+enum class feature { face, edge, corner };
+
+inline bool is_collision(encounter e) { return e != encounter::recede && e != encounter::miss; }
+
+// a t² + 2 h t + c = k (distance² - r²), k > 0, while low <= t <= high (none: no end; low > high: never).
+struct piece {
+    mpz_class a, h, c, k = 1;
+    feature where = feature::corner;
+    int index = 0; // edges: 2i + far, corners: λ_0 + 2 λ_1
+    std::optional<mpq_class> low, high;
+    bool never = false;
+
+    // Only while 0 <= start + t·speed <= end.
+    void only_within(const mpz_class& start, const mpz_class& speed, const mpz_class& end) {
+        if (speed == 0) {
+            never = never || start < 0 || start > end;
+            return;
+        }
+        mpq_class from(-start, speed);
+        mpq_class to(end - start, speed);
+        from.canonicalize();
+        to.canonicalize();
+        if (from > to) {
+            swap(from, to);
+        }
+        if (!low || from > *low) {
+            low = from;
+        }
+        if (!high || to < *high) {
+            high = to;
+        }
+        never = never || *low > *high;
+    }
+
+    bool holds_now() const { return !never && !(low && *low > 0) && !(high && *high < 0); }
+
+    int sign_at(const mpq_class& t) const {
+        const mpz_class& n = t.get_num();
+        const mpz_class& m = t.get_den();
+        return sgn(mpz_class((a * n + 2 * h * m) * n + c * m * m));
+    }
+
+    // The sign of the least value.
+    int sign_of_minimum() const {
+        if (never) {
+            return 1;
+        }
+        if (a == 0) { // constant
+            return sgn(c);
+        }
+        if (low && sgn(mpz_class(a * low->get_num() + h * low->get_den())) >= 0) {
+            return sign_at(*low);
+        }
+        if (high && sgn(mpz_class(a * high->get_num() + h * high->get_den())) <= 0) {
+            return sign_at(*high);
+        }
+        return sgn(mpz_class(a * c - h * h));
+    }
+
+    // The smaller root, if it lies in the interval.
+    std::optional<surd> root() const {
+        const mpz_class discriminant = h * h - a * c;
+        if (never || a == 0 || discriminant < 0) {
+            return std::nullopt;
+        }
+        surd t{-h, -1, discriminant, a};
+        if ((low && compare(t, *low) < 0) || (high && compare(t, *high) > 0)) {
+            return std::nullopt;
+        }
+        return t;
+    }
+};
+
+struct answer {
+    encounter what = encounter::recede;
+    std::optional<surd> time; // of a collision, in the inputs' unit
+    // Which features are met at that time; of a recede or an overlap: which are closest now. Walls only.
+    bool face = false;
+    unsigned edges = 0, corners = 0; // bit i: edge or corner i
+
+    bool has(feature f, int index) const {
+        return f == feature::face ? face : ((f == feature::edge ? edges : corners) >> index & 1) != 0;
+    }
+    // The feature that the rule of ties names.
+    feature where() const { return face ? feature::face : edges != 0 ? feature::edge : feature::corner; }
+    void add(const piece& p) {
+        face = face || p.where == feature::face;
+        edges |= p.where == feature::edge ? 1u << p.index : 0;
+        corners |= p.where == feature::corner ? 1u << p.index : 0;
+    }
+};
+
+// pieces: all of the thing. is_point: r = 0. crosses: the centre moves towards or from the plane of the face.
+inline answer encounter_of(const std::vector<piece>& pieces, bool is_point, bool crosses, const mpq_class& unit) {
+    answer found;
+    const piece* closest = nullptr;
+    for (const piece& p : pieces) {
+        if (p.holds_now() && (closest == nullptr || p.c * closest->k < closest->c * p.k)) {
+            closest = &p;
+        }
+    }
+    if (closest == nullptr) {
+        throw std::logic_error("oracle: no piece holds now");
+    }
+    if (closest->h >= 0 || closest->c < 0) {
+        found.what = closest->h >= 0 ? encounter::recede : encounter::overlap;
+        for (const piece& p : pieces) {
+            if (p.holds_now() && p.c * closest->k == closest->c * p.k) {
+                found.add(p);
+            }
+        }
+        if (found.what == encounter::overlap) {
+            found.time = surd{};
+        }
+        return found;
+    }
+    int least = 1;
+    for (const piece& p : pieces) {
+        least = std::min(least, p.sign_of_minimum());
+    }
+    const bool lands = is_point && crosses && least == 0;
+    found.what = least > 0 ? encounter::miss : least == 0 && !lands ? encounter::graze : encounter::hit;
+    if (least > 0) {
+        return found;
+    }
+    for (const piece& p : pieces) {
+        if (p.sign_of_minimum() <= 0) {
+            const std::optional<surd> own = p.root();
+            const surd t = own ? *own : rational(p.low.value());
+            if (!found.time || compare(t, *found.time) < 0) {
+                found.time = t;
+            }
+        }
+    }
+    for (const piece& p : pieces) {
+        const std::optional<surd> own = p.root();
+        if (own && compare(*own, *found.time) == 0) {
+            found.add(p);
+        }
+    }
+    if (!found.face && found.edges == 0 && found.corners == 0) {
+        throw std::logic_error("oracle: the first touch is on no feature");
+    }
+    found.time->p *= unit.get_num();
+    found.time->q *= unit.get_num();
+    found.time->r *= unit.get_den();
+    return found;
+}
+
+template <int N>
+piece corner_piece(const point<N>& w, const point<N>& u, const mpz_class& r, int index) {
+    piece p;
+    p.a = dot<N>(u, u);
+    p.h = dot<N>(w, u);
+    p.c = dot<N>(w, w) - r * r;
+    p.index = index;
+    return p;
+}
+
+// The straight edge from the origin along e.
+template <int N>
+piece edge_piece(const point<N>& w, const point<N>& u, const point<N>& e, const mpz_class& r, int index) {
+    const mpz_class ee = dot<N>(e, e);
+    const mpz_class we = dot<N>(w, e);
+    const mpz_class ue = dot<N>(u, e);
+    piece p;
+    p.a = dot<N>(u, u) * ee - ue * ue;
+    p.h = dot<N>(w, u) * ee - we * ue;
+    p.c = (dot<N>(w, w) - r * r) * ee - we * we;
+    p.k = ee;
+    p.where = feature::edge;
+    p.index = index;
+    p.only_within(we, ue, ee);
+    return p;
+}
+
+// height: of the centre above the plane, times √square.
+inline piece plane_piece(const mpz_class& height, const mpz_class& speed, const mpz_class& square, const mpz_class& r) {
+    piece p;
+    p.a = speed * speed;
+    p.h = height * speed;
+    p.c = height * height - r * r * square;
+    p.k = square;
+    p.where = feature::face;
+    return p;
+}
+
+inline mpz_class determinant(const point<2>& x, const point<2>& y) { return x[0] * y[1] - x[1] * y[0]; }
+inline mpz_class determinant(const point<3>& x, const point<3>& y, const point<3>& z) {
+    return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) + x[2] * (y[0] * z[1] - y[1] * z[0]);
+}
+
+template <int N, class T>
+answer meet(const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
+    groups<T> g;
+    collect<N>(g.lengths, a.position);
+    collect<N>(g.lengths, b.position);
+    g.lengths.collect(input(a.radius));
+    g.lengths.collect(input(b.radius));
+    collect<N>(g.velocities, a.velocity);
+    collect<N>(g.velocities, b.velocity);
+    const point<N> xa = next<N>(g.lengths);
+    const point<N> xb = next<N>(g.lengths);
+    const mpz_class ra = g.lengths.next();
+    const mpz_class rb = g.lengths.next();
+    const point<N> ua = next<N>(g.velocities);
+    const point<N> ub = next<N>(g.velocities);
+    return encounter_of({corner_piece<N>(xa - xb, ua - ub, mpz_class(ra + rb), 0)}, false, false, g.time());
+}
+
+template <int N, class T>
+answer meet(const graze::ball<N, T>& b, const graze::plane<N, T>& p) {
+    groups<T> g;
+    group<input_type<T>> normal; // its length has no meaning
+    collect<N>(g.lengths, b.position);
+    collect<N>(g.lengths, p.point);
+    g.lengths.collect(input(b.radius));
+    collect<N>(g.velocities, b.velocity);
+    collect<N>(normal, p.normal);
+    const point<N> x = next<N>(g.lengths);
+    const point<N> from = next<N>(g.lengths);
+    const mpz_class r = g.lengths.next();
+    const point<N> u = next<N>(g.velocities);
+    const point<N> n = next<N>(normal);
+    const mpz_class height = dot<N>(x - from, n);
+    const mpz_class speed = dot<N>(u, n);
+    return encounter_of({plane_piece(height, speed, dot<N>(n, n), r)}, r == 0, speed != 0, g.time());
+}
+
+template <int N, class T>
+answer meet(const graze::ball<N, T>& b, const graze::wall<N, T>& wall) {
+    groups<T> g;
+    collect<N>(g.lengths, b.position);
+    collect<N>(g.lengths, wall.corner);
+    g.lengths.collect(input(b.radius));
+    for (const auto& e : wall.edge) {
+        collect<N>(g.lengths, e);
+    }
+    collect<N>(g.velocities, b.velocity);
+    const point<N> x = next<N>(g.lengths);
+    const point<N> w = x - next<N>(g.lengths);
+    const mpz_class r = g.lengths.next();
+    std::array<point<N>, N - 1> e;
+    for (auto& edge : e) {
+        edge = next<N>(g.lengths);
+    }
+    const point<N> u = next<N>(g.velocities);
+
+    std::vector<piece> pieces;
+    mpz_class speed;
+    if constexpr (N == 2) {
+        speed = determinant(u, e[0]);
+        pieces.push_back(plane_piece(determinant(w, e[0]), speed, dot<2>(e[0], e[0]), r));
+        pieces.back().only_within(dot<2>(w, e[0]), dot<2>(u, e[0]), dot<2>(e[0], e[0]));
+        pieces.push_back(corner_piece<2>(w, u, r, 0));
+        pieces.push_back(corner_piece<2>(w - e[0], u, r, 1));
+    } else {
+        // λ_i by Gram's determinants.
+        const mpz_class e00 = dot<3>(e[0], e[0]), e01 = dot<3>(e[0], e[1]), e11 = dot<3>(e[1], e[1]);
+        const mpz_class gram = e00 * e11 - e01 * e01;
+        const auto along0 = [&](const point<3>& v) { return mpz_class(dot<3>(v, e[0]) * e11 - dot<3>(v, e[1]) * e01); };
+        const auto along1 = [&](const point<3>& v) { return mpz_class(dot<3>(v, e[1]) * e00 - dot<3>(v, e[0]) * e01); };
+        speed = determinant(u, e[0], e[1]);
+        pieces.push_back(plane_piece(determinant(w, e[0], e[1]), speed, gram, r));
+        pieces.back().only_within(along0(w), along0(u), gram);
+        pieces.back().only_within(along1(w), along1(u), gram);
+        for (std::size_t i = 0; i < 2; ++i) {
+            pieces.push_back(edge_piece<3>(w, u, e[1 - i], r, static_cast<int>(2 * i)));
+            pieces.push_back(edge_piece<3>(w - e[i], u, e[1 - i], r, static_cast<int>(2 * i + 1)));
+        }
+        pieces.push_back(corner_piece<3>(w, u, r, 0));
+        pieces.push_back(corner_piece<3>(w - e[0], u, r, 1));
+        pieces.push_back(corner_piece<3>(w - e[1], u, r, 2));
+        pieces.push_back(corner_piece<3>(w - e[0] - e[1], u, r, 3));
+    }
+    return encounter_of(pieces, r == 0, speed != 0, g.time());
+}
+
+} // namespace oracle
