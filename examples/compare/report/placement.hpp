@@ -1,0 +1,39 @@
+// Where names go beside points so that they don't cover one another.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace compare::report {
+
+// In pixels from the top left.
+struct box {
+    double left = 0, top = 0, right = 0, bottom = 0;
+    [[nodiscard]] bool meets(const box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+};
+
+// How wide a text of this size comes out, near enough for a sans-serif.
+[[nodiscard]] double width_of(const std::string& text, double size);
+
+struct placed {
+    double x = 0, y = 0; // of the text's middle line
+    std::string align;   // "left", "center" or "right" of x
+};
+
+class placement {
+  public:
+    // Names stay within area and off the points.
+    placement(const box& area, std::vector<box> points) : area_(area), taken_(std::move(points)) {}
+
+    // The first free place around the point at x, y, from near to far. Falls back on the nearest that stays in the
+    // area.
+    [[nodiscard]] placed place(const std::string& text, double size, double x, double y);
+
+  private:
+    box area_;
+    std::vector<box> taken_;
+};
+
+} // namespace compare::report

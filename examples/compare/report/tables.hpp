@@ -1,0 +1,24 @@
+// The report's tables. On a narrow screen each row becomes a block of its own, with the headings beside the values.
+#pragma once
+
+#include "../results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace compare::report {
+
+// Heads and cells are HTML: escape what comes from outside. The first column names its row.
+[[nodiscard]] std::string table(const std::string& style, const std::vector<std::string>& heads,
+                                const std::vector<std::vector<std::string>>& rows);
+
+[[nodiscard]] std::string groups_table(const results& found);
+[[nodiscard]] std::string types_table(const results& found);
+// Digits wanted by group: in each the cheapest type that decides right and is right to so many digits, and its cost.
+[[nodiscard]] std::string matrix_table(const results& found);
+// All rows of one group.
+[[nodiscard]] std::string rows_table(const results& found, const group_information& group);
+// The worst error of the times by hardness, a column for each line of the pictures; empty without hardness.
+[[nodiscard]] std::string hardness_table(const results& found, const group_information& group);
+
+} // namespace compare::report

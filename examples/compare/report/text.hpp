@@ -1,0 +1,33 @@
+// Text for a page: escaped names, and numbers that people can read.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace compare::report {
+
+// The text with what HTML and XML read as markup written as entities, quotes too; control characters become a question
+// mark. Safe in element text and in quoted attributes.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+// "0", "0.32", "14.5", "1234", "3.1·10⁻¹⁷", "∞"; not a number is "not a number". Three significant digits.
+[[nodiscard]] std::string readable(double value);
+
+// The same, or a dash where there is no value.
+[[nodiscard]] std::string readable(const std::optional<double>& value);
+
+// "812 ps", "12.4 ns", "3.1 µs", "2.2 ms".
+[[nodiscard]] std::string readable_time(double nanoseconds);
+
+// With thin spaces: "12 345".
+[[nodiscard]] std::string readable_count(unsigned long long count);
+
+// "10⁻¹²", "2⁵³".
+[[nodiscard]] std::string power_of_ten(int exponent);
+[[nodiscard]] std::string power_of(int base, int exponent);
+
+// "1 pair", "2 pairs".
+[[nodiscard]] std::string counted(unsigned long long count, const std::string& one, const std::string& many);
+
+} // namespace compare::report

@@ -1,0 +1,14 @@
+// A file that is written whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace compare {
+
+// Writes content to a new file beside path and renames it onto path, so that nobody sees half of it and what was there
+// stays when something fails. A path that exists and is no regular file (/dev/stdout, a pipe) is written straight.
+// Throws std::runtime_error that names path and says what failed.
+void write_whole_file(const std::string& path, std::string_view content);
+
+} // namespace compare
