@@ -1,0 +1,38 @@
+# What the documentation shows, taken out of it so that it can be tried.
+
+# graze_next_fence(text info_out block_out rest_out): the first fenced block of text, its info string, and what follows.
+# info_out is NOTFOUND where there is none.
+function(graze_next_fence text info_out block_out rest_out)
+    set(${info_out} NOTFOUND PARENT_SCOPE)
+    string(FIND "${text}" "\n```" open)
+    if(open EQUAL -1)
+        return()
+    endif()
+    math(EXPR open "${open} + 4")
+    string(SUBSTRING "${text}" ${open} -1 text)
+    string(FIND "${text}" "\n" line_end)
+    string(SUBSTRING "${text}" 0 ${line_end} info)
+    string(FIND "${text}" "\n```" close)
+    if(close EQUAL -1)
+        message(FATAL_ERROR "a fenced block is not closed: ${text}")
+    endif()
+    math(EXPR start "${line_end} + 1")
+    math(EXPR length "${close} - ${line_end}")
+    string(SUBSTRING "${text}" ${start} ${length} block)
+    math(EXPR close "${close} + 4")
+    string(SUBSTRING "${text}" ${close} -1 rest)
+    set(${info_out} "${info}" PARENT_SCOPE)
+    set(${block_out} "${block}" PARENT_SCOPE)
+    set(${rest_out} "${rest}" PARENT_SCOPE)
+endfunction()
+
+# graze_write(file text): writes only what differs, so that nothing is compiled again for nothing.
+function(graze_write file text)
+    set(old "")
+    if(EXISTS "${file}")
+        file(READ "${file}" old)
+    endif()
+    if(NOT old STREQUAL text)
+        file(WRITE "${file}" "${text}")
+    endif()
+endfunction()
