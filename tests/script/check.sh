@@ -1,0 +1,91 @@
+#!/bin/sh
+# check.sh ROOT WORK: the script `graze` in a copy of the tree, with stand-ins for all that it would change or build.
+# shellcheck disable=SC2016  # the stand-ins expand what is in single quotes
+set -eu
+root=$1 work=$2
+rm -rf "$work"
+mkdir -p "$work/bin" "$work/tree/.ci" "$work/elsewhere"
+cp "$root/graze" "$work/tree"
+printf '# remark\nhere\nabsent\n' >"$work/tree/.ci/packages-compare.txt"
+printf 'absent-too # remark\nunknown\n' >"$work/tree/.ci/packages-test.txt"
+
+# Each stand-in writes down how it was called; only "here" is installed, "unknown" exists nowhere.
+stand_in() { printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n%s\n' "$1" "$work" "$2" >"$work/bin/$1"; }
+stand_in dpkg-query 'case $* in *here) echo installed ;; *) exit 1 ;; esac'
+stand_in apt-cache 'case $* in *unknown) exit 100 ;; esac'
+stand_in apt-get 'exit ${APT_STATUS:-0}'
+stand_in sudo '"$@"'
+stand_in id 'echo ${USER_ID:-0}'
+stand_in cmake 'echo "noise of cmake"; echo "-- graze: a remark"; exit ${CMAKE_STATUS:-0}'
+stand_in ctest ''
+chmod +x "$work"/bin/*
+program=build/release/examples/compare/graze-compare
+mkdir -p "$work/tree/${program%/*}"
+printf '#!/bin/sh\nprintf "graze-compare in %%s:" "$(pwd)"\nprintf " <%%s>" "$@"\n' >"$work/tree/$program"
+chmod +x "$work/tree/$program"
+PATH=$work/bin:$PATH
+export PATH
+
+failures=0
+# run STATUS ARGUMENT...: calls graze from another directory.
+run() {
+    expected=$1 status=0
+    shift
+    : >"$work/calls"
+    (cd "$work/elsewhere" && ../tree/graze "$@") >"$work/out" 2>"$work/err" || status=$?
+    what="graze $*"
+    [ "$status" -eq "$expected" ] || complain "ended with $status, not $expected"
+}
+complain() {
+    failures=$((failures + 1))
+    printf '%s: %s\n' "$what" "$1"
+    cat "$work/out" "$work/err" "$work/calls"
+}
+has() { grep -qe "$2" "$work/$1" || complain "'$2' is not in $1"; }
+lacks() { ! grep -qe "$2" "$work/$1" || complain "'$2' is in $1"; }
+
+run 2; has err 'compare or test'; lacks calls .
+run 2 comapre; has err "unknown command 'comapre'"; lacks calls .
+run 2 --fast compare; has err "unknown command '--fast'"
+run 0 --help; has out '^Usage: ./graze compare'; lacks calls .
+
+run 0 compare
+has out 'installing with apt: absent$'
+has calls '^apt-get update'
+has calls '^apt-get install .* absent$'
+has calls '^cmake --preset release -DGRAZE_BUILD_TESTS=OFF'
+has calls '^cmake --build build/release --target graze-compare'
+has out "graze-compare in .*/elsewhere: <--report> <graze-report.html>"
+has out '^-- graze: a remark'
+lacks calls sudo
+lacks calls ctest
+
+run 0 compare --no-install --types 'double,long double' 'a b'
+lacks calls apt-get
+has out ': <--types> <double,long double> <a b>$'
+run 0 --no-install compare --help; has out ': <--help>$'
+
+touch "$work/tree/build/release/CMakeCache.txt" # a tree that was configured keeps its tests
+run 0 compare --no-install; lacks calls GRAZE_BUILD_TESTS
+
+run 0 test -R 'a b'
+has out 'installing with apt: absent absent-too unknown$'
+has err 'not in this distribution, done without: unknown'
+has calls '^apt-get install .* absent absent-too$'
+has calls '^cmake --preset release -DGRAZE_BUILD_TESTS=ON'
+has calls '^cmake --build build/release --target all'
+has calls '^ctest --preset release .*-R a b'
+
+APT_STATUS=100; export APT_STATUS
+run 100 compare; has err 'this failed: as_root apt-get update'; lacks calls cmake
+unset APT_STATUS
+CMAKE_STATUS=3; export CMAKE_STATUS
+run 3 compare --no-install; has err 'noise of cmake'; lacks out graze-compare
+unset CMAKE_STATUS
+
+USER_ID=1000; export USER_ID
+run 0 compare; has calls '^sudo apt-get update'
+
+echo here >"$work/tree/.ci/packages-compare.txt" # nothing is missing: nothing is done
+run 0 compare; lacks calls apt-get; lacks calls sudo; lacks out installing
+[ "$failures" -eq 0 ]
