@@ -14,70 +14,37 @@ class direct_signs {
     constexpr explicit direct_signs(const M& m) : m_(m) {}
 
     template <class F>
-    [[nodiscard]] constexpr int operator()(F f) const {
-        return sign(T(f(m_)));
+    [[nodiscard]] constexpr int operator()(wall_view view, F f) const {
+        return sign(T(f(seen_from(m_, view))));
     }
     template <class P, class Q, class D>
-    [[nodiscard]] constexpr int root(P p, Q q, D d, int flip) const {
+    [[nodiscard]] constexpr int root(wall_view view, P p, Q q, D d, int flip) const {
+        const auto m = seen_from(m_, view);
         if constexpr (has_sqrt<T>) {
-            const T radicand = d(m_);
-            const T term = T(q(m_)) * square_root(sign(radicand) < 0 ? T(0) : radicand);
-            return sign(flip < 0 ? T(T(p(m_)) - term) : T(T(p(m_)) + term));
+            const T radicand = d(m);
+            const T term = T(q(m)) * square_root(sign(radicand) < 0 ? T(0) : radicand);
+            return sign(flip < 0 ? T(T(p(m)) - term) : T(T(p(m)) + term));
         } else {
-            return sign_of_root_sum(T(p(m_)), T(flip < 0 ? T(-q(m_)) : T(q(m_))), T(d(m_)));
+            return sign_of_root_sum(T(p(m)), T(flip < 0 ? T(-q(m)) : T(q(m))), T(d(m)));
         }
     }
-    template <int I, int Far>
-    [[nodiscard]] constexpr T discriminant_of_edge() const {
-        return discriminant_by<V, T>(edge_quadratic<I, Far>(m_),
-                                     [&] { return T(graze::edge_discriminant<I, Far>{}(m_)); });
+    [[nodiscard]] constexpr T discriminant_of_edge(const M& m) const {
+        return discriminant_by<V, T>(edge_quadratic(m), [&] { return T(graze::edge_discriminant{}(m)); });
     }
-    template <int K>
-    [[nodiscard]] constexpr T discriminant_of_corner() const {
-        const auto corner = corner_view<K>{}.motion(m_);
+    [[nodiscard]] constexpr T discriminant_of_corner(const M& m) const {
+        const auto corner = corner_motion(m);
         return discriminant_by<V, T>(quadratic_of(corner), [&] { return T(discriminant_lagrange{}(corner)); });
     }
-    template <int I, int Far>
-    [[nodiscard]] constexpr int edge_discriminant() const {
-        return sign(discriminant_of_edge<I, Far>());
+    [[nodiscard]] constexpr int edge_discriminant(wall_view view) const {
+        return sign(discriminant_of_edge(seen_from(m_, view)));
     }
-    template <int K>
-    [[nodiscard]] constexpr int corner_discriminant() const {
-        return sign(discriminant_of_corner<K>());
+    [[nodiscard]] constexpr int corner_discriminant(wall_view view) const {
+        return sign(discriminant_of_corner(seen_from(m_, view)));
     }
 
   private:
     const M& m_;
 };
-
-// Calls f with the compile-time index of an edge (I, Far) or a corner (K).
-template <class F>
-constexpr void with_edge(int index, F f) {
-    switch (index) {
-    case 0:
-        f.template operator()<0, 0>();
-        break;
-    case 1:
-        f.template operator()<0, 1>();
-        break;
-    case 2:
-        f.template operator()<1, 0>();
-        break;
-    default:
-        f.template operator()<1, 1>();
-        break;
-    }
-}
-template <int N, class F>
-constexpr void with_corner(int index, F f) {
-    if (index == 0) {
-        f.template operator()<0>();
-    } else if (index == 1) {
-        f.template operator()<1>();
-    } else if constexpr (N == 3) {
-        index == 2 ? f.template operator()<2>() : f.template operator()<3>();
-    }
-}
 
 } // namespace detail
 
@@ -115,23 +82,18 @@ requires field_number<T> && has_variant<V, T>
         }
         s.position = position_at(detail::as<real>(b.position), u, s.time);
     };
+    const auto view = seen_from(m, s.where == feature::edge ? edge_view(s.index) : wall_view{s.index, false});
+    if (s.where == feature::corner) {
+        met(quadratic_of(corner_motion(view)), signs.discriminant_of_corner(view));
+        s.point = detail::as<real>(b.position - view.w);
+    }
     if constexpr (N == 3) {
         if (s.where == feature::edge) {
-            detail::with_edge(s.index, [&]<int I, int Far>() {
-                met(edge_quadratic<I, Far>(m), signs.template discriminant_of_edge<I, Far>());
-                const auto view = edge_view<I, Far>{};
-                const vec<N, real> e = detail::as<real>(view.direction(m));
-                const vec<N, real> from = position_at(detail::as<real>(view.offset(m)), u, s.time);
-                s.point = position_at(s.position - from, e, dot(from, e) / squared_norm(e));
-            });
+            met(edge_quadratic(view), signs.discriminant_of_edge(view));
+            const vec<N, real> e = detail::as<real>(view.e[1]);
+            const vec<N, real> from = position_at(detail::as<real>(view.w), u, s.time);
+            s.point = position_at(s.position - from, e, dot(from, e) / squared_norm(e));
         }
-    }
-    if (s.where == feature::corner) {
-        detail::with_corner<N>(s.index, [&]<int K>() {
-            const auto corner = corner_view<K>{}.motion(m);
-            met(quadratic_of(corner), signs.template discriminant_of_corner<K>());
-            s.point = detail::as<real>(b.position - corner.dx);
-        });
     }
     const vec<N, real> apart = s.position - s.point;
     if (inside) {

@@ -26,6 +26,11 @@ struct wall_encounter {
     int index;
 };
 
+// The view in which edge `index` is the edge λ_0 = 0.
+[[nodiscard]] constexpr wall_view edge_view(int index) noexcept {
+    return index < 2 ? wall_view{index, false} : wall_view{(index - 2) << 1, true};
+}
+
 // The norm of p + q√d, whose sign decides where p and q√d have opposite ones.
 template <class P, class Q, class D>
 struct root_norm {
@@ -37,8 +42,8 @@ struct root_norm {
     }
 };
 
-// Signs asks a formula for its sign: signs(F{}), and signs.root(P{}, Q{}, D{}, flip), that of p + flip q√d. edges and
-// corners get their discriminants' signs from signs.edge_discriminant<I, Far>() and signs.corner_discriminant<K>().
+// The procedure. Signs answers for a view of the wall: signs(view, F{}) is the sign of formula F; signs.root(view, P{},
+// Q{}, D{}, f) that of P + f Q√D, f = ±1; signs.edge_discriminant(view) and signs.corner_discriminant(view) those of D.
 template <int N, class Signs>
 class wall_decision {
   public:
@@ -49,193 +54,140 @@ class wall_decision {
         if (now.what != encounter::miss) {
             return now;
         }
-        wall_encounter found{encounter::miss, feature::face, 0};
-        if (enters_face(found)) {
-            return found;
+        if (enters_face()) {
+            return {encounter::hit, feature::face, 0};
         }
         if constexpr (N == 3) {
-            if (enters_edge<0, 0>(found) || enters_edge<0, 1>(found) || enters_edge<1, 0>(found) ||
-                enters_edge<1, 1>(found)) {
-                return found;
-            }
-            if (enters_corner<0>(found) || enters_corner<1>(found) || enters_corner<2>(found) ||
-                enters_corner<3>(found)) {
-                return found;
-            }
-        } else {
-            if (enters_corner<0>(found) || enters_corner<1>(found)) {
-                return found;
+            for (int i = 0; i < 4; ++i) {
+                if (const encounter what = enters_edge(edge_view(i)); what != encounter::miss) {
+                    return {what, feature::edge, i};
+                }
             }
         }
-        return found;
+        for (int i = 0; i < corners; ++i) {
+            if (const encounter what = enters_corner({i, false}); what != encounter::miss) {
+                return {what, feature::corner, i};
+            }
+        }
+        return {encounter::miss, feature::face, 0};
     }
 
   private:
-    // encounter::miss stands for "apart and approaching the closest feature".
-    [[nodiscard]] constexpr encounter from(int sign_h, int sign_c) const {
+    static constexpr int corners = N == 2 ? 2 : 4;
+
+    // From a feature's h and c; miss stands for "apart and approaching it".
+    [[nodiscard]] static constexpr encounter from(int sign_h, int sign_c) {
         return sign_h >= 0 ? encounter::recede : sign_c < 0 ? encounter::overlap : encounter::miss;
     }
 
     [[nodiscard]] constexpr wall_encounter closest_now() const {
-        wall_encounter found{encounter::recede, feature::face, 0};
+        constexpr wall_view base{};
+        const bool low0 = signs_(base, side_height<0, 0>{}) < 0;
+        const bool high0 = signs_(base, side_height<0, 1>{}) > 0;
         if constexpr (N == 2) {
-            if (signs_(side_height<0, 0>{}) < 0) {
-                corner_now<0>(found);
-            } else if (signs_(side_height<0, 1>{}) > 0) {
-                corner_now<1>(found);
-            } else {
-                face_now(found);
+            if (low0 || high0) {
+                return corner_now(low0 ? 0 : 1);
             }
         } else {
-            const int low0 = signs_(side_height<0, 0>{});
-            const int high0 = signs_(side_height<0, 1>{});
-            const int low1 = signs_(side_height<1, 0>{});
-            const int high1 = signs_(side_height<1, 1>{});
-            if (low0 >= 0 && high0 <= 0 && low1 >= 0 && high1 <= 0) {
-                face_now(found);
-            } else {
-                (low0 < 0 && edge_now<0, 0>(found)) || (high0 > 0 && edge_now<0, 1>(found)) ||
-                    (low1 < 0 && edge_now<1, 0>(found)) || (high1 > 0 && edge_now<1, 1>(found)) ||
-                    corner_if_closest<0>(found) || corner_if_closest<1>(found) || corner_if_closest<2>(found) ||
-                    corner_if_closest<3>(found);
+            const bool low1 = signs_(base, side_height<1, 0>{}) < 0;
+            const bool high1 = signs_(base, side_height<1, 1>{}) > 0;
+            const bool outside[4] = {low0, high0, low1, high1};
+            for (int i = 0; i < 4; ++i) {
+                const wall_view view = edge_view(i);
+                if (outside[i] && signs_(view, edge_foot<0>{}) >= 0 && signs_(view, edge_foot<1>{}) <= 0) {
+                    return {from(signs_(view, edge_h{}), signs_(view, edge_c{})), feature::edge, i};
+                }
+            }
+            if (low0 || high0 || low1 || high1) {
+                for (int i = 0; i < corners; ++i) { // in whose normal cone: behind it along both edges
+                    if (signs_({i, false}, along<0>{}) <= 0 && signs_({i, false}, along<1>{}) <= 0) {
+                        return corner_now(i);
+                    }
+                }
+                return {encounter::recede, feature::corner, 0}; // reached by rounding only
             }
         }
-        return found;
+        return {from(signs_(base, plane_height{}) * signs_(base, plane_speed{}), signs_(base, plane_clearance{})),
+                feature::face, 0};
     }
 
-    constexpr void face_now(wall_encounter& found) const {
-        found = {from(signs_(plane_height{}) * signs_(plane_speed{}), signs_(plane_clearance{})), feature::face, 0};
+    [[nodiscard]] constexpr wall_encounter corner_now(int i) const {
+        const wall_view view{i, false};
+        return {from(signs_(view, corner_formula<coefficient_h>{}), signs_(view, corner_formula<coefficient_c>{})),
+                feature::corner, i};
     }
 
-    template <int I, int Far>
-    constexpr bool edge_now(wall_encounter& found) const {
-        if (signs_(edge_foot_now<I, Far, 0>{}) < 0 || signs_(edge_foot_now<I, Far, 1>{}) > 0) {
-            return false;
-        }
-        found = {from(signs_(edge_h<I, Far>{}), signs_(edge_c<I, Far>{})), feature::edge, 2 * I + Far};
-        return true;
-    }
-
-    template <int K>
-    constexpr bool corner_now(wall_encounter& found) const {
-        found = {from(signs_(corner_formula<K, coefficient_h>{}), signs_(corner_formula<K, coefficient_c>{})),
-                 feature::corner, K};
-        return true;
-    }
-
-    // In the corner's normal cone: on or behind it along both edges.
-    template <int K>
-    constexpr bool corner_if_closest(wall_encounter& found) const {
-        if (inward<K, 0>(signs_(corner_along_now<K, 0>{})) > 0 || inward<K, 1>(signs_(corner_along_now<K, 1>{})) > 0) {
-            return false;
-        }
-        return corner_now<K>(found);
-    }
-
-    // A sign along +e_i, seen from a corner at the far end of e_i.
-    template <int K, int I>
-    [[nodiscard]] static constexpr int inward(int sign_along) {
-        return (K >> I & 1) != 0 ? -sign_along : sign_along;
-    }
-
-    constexpr bool enters_face(wall_encounter& found) const {
-        const int speed = signs_(plane_speed{});
-        if (signs_(plane_height{}) * speed >= 0 || signs_(plane_clearance{}) < 0) {
-            return false;
-        }
-        if (!face_foot_within<0>(speed)) {
+    [[nodiscard]] constexpr bool enters_face() const {
+        constexpr wall_view base{};
+        const int speed = signs_(base, plane_speed{});
+        if (signs_(base, plane_height{}) * speed >= 0 || signs_(base, plane_clearance{}) < 0 ||
+            !face_foot_within<0>(speed)) {
             return false;
         }
         if constexpr (N == 3) {
-            if (!face_foot_within<1>(speed)) {
-                return false;
-            }
-        }
-        found = {encounter::hit, feature::face, 0};
-        return true;
-    }
-
-    template <int I>
-    [[nodiscard]] constexpr bool face_foot_within(int speed) const {
-        return speed * signs_.root(face_foot_p<I, 0>{}, face_foot_q<I>{}, face_foot_d{}, -speed) >= 0 &&
-               speed * signs_.root(face_foot_p<I, 1>{}, face_foot_q<I>{}, face_foot_d{}, -speed) <= 0;
-    }
-
-    template <int I, int Far>
-    constexpr bool enters_edge(wall_encounter& found) const {
-        if (signs_(edge_h<I, Far>{}) >= 0 || signs_(edge_c<I, Far>{}) < 0) {
-            return false;
-        }
-        const int d = signs_.template edge_discriminant<I, Far>();
-        if (d < 0) {
-            return false;
-        }
-        using root = edge_discriminant<I, Far>;
-        if (signs_.root(edge_foot_p<I, Far, 0>{}, edge_foot_q<I, Far>{}, root{}, -1) < 0 ||
-            signs_.root(edge_foot_p<I, Far, 1>{}, edge_foot_q<I, Far>{}, root{}, -1) > 0) {
-            return false;
-        }
-        const int side = signs_.root(edge_side_p<I, Far>{}, edge_side_q<I, Far>{}, root{}, -1);
-        if ((Far == 0 ? side : -side) > 0 || (d == 0 && slides_off_edge<I, Far>())) {
-            return false;
-        }
-        found = {d == 0 ? encounter::graze : encounter::hit, feature::edge, 2 * I + Far};
-        return true;
-    }
-
-    template <int K>
-    constexpr bool enters_corner(wall_encounter& found) const {
-        if (signs_(corner_formula<K, coefficient_h>{}) >= 0 || signs_(corner_formula<K, coefficient_c>{}) < 0) {
-            return false;
-        }
-        const int d = signs_.template corner_discriminant<K>();
-        if (d < 0 || !corner_behind<K, 0>()) {
-            return false;
-        }
-        if constexpr (N == 3) {
-            if (!corner_behind<K, 1>()) {
-                return false;
-            }
-        }
-        if (d == 0 && slides_off_corner<K>()) {
-            return false;
-        }
-        found = {d == 0 ? encounter::graze : encounter::hit, feature::corner, K};
-        return true;
-    }
-
-    // A ball that slides along the face at distance r touches the wall from one border to the other. Whether it leaves
-    // the wall at this edge or corner, at which D = 0: whether the touching point was on the wall just before.
-    template <int I, int Far>
-    [[nodiscard]] constexpr bool slides_off_edge() const {
-        if (signs_(plane_speed{}) != 0) {
-            return false;
-        }
-        const int outward = signs_(side_speed<I>{});
-        const int along = signs_(side_speed<1 - I>{});
-        using root = edge_discriminant<I, Far>;
-        const bool from_start =
-            along > 0 && signs_.root(edge_foot_p<I, Far, 0>{}, edge_foot_q<I, Far>{}, root{}, -1) == 0;
-        const bool from_end =
-            along < 0 && signs_.root(edge_foot_p<I, Far, 1>{}, edge_foot_q<I, Far>{}, root{}, -1) == 0;
-        return (Far == 0 ? outward : -outward) < 0 && !from_start && !from_end;
-    }
-    template <int K>
-    [[nodiscard]] constexpr bool slides_off_corner() const {
-        if (signs_(plane_speed{}) != 0 || inward<K, 0>(signs_(side_speed<0>{})) > 0) {
-            return false;
-        }
-        if constexpr (N == 3) {
-            return inward<K, 1>(signs_(side_speed<1>{})) <= 0;
+            return face_foot_within<1>(speed);
         } else {
             return true;
         }
     }
 
-    template <int K, int I>
-    [[nodiscard]] constexpr bool corner_behind() const {
-        using root = corner_formula<K, discriminant_lagrange>;
-        return inward<K, I>(signs_.root(corner_along_p<K, I>{}, corner_along_q<I>{}, root{}, -1)) <= 0;
+    template <int I>
+    [[nodiscard]] constexpr bool face_foot_within(int speed) const {
+        constexpr wall_view base{};
+        return speed * signs_.root(base, face_foot_p<I, 0>{}, face_foot_q<I>{}, face_foot_d{}, -speed) >= 0 &&
+               speed * signs_.root(base, face_foot_p<I, 1>{}, face_foot_q<I>{}, face_foot_d{}, -speed) <= 0;
+    }
+
+    // The sign of X + V t when the ball touches the edge's line, or the corner.
+    template <class X, class V>
+    [[nodiscard]] constexpr int at_edge(wall_view view) const {
+        return signs_.root(view, at_root<edge_a, edge_h, X, V>{}, V{}, graze::edge_discriminant{}, -1);
+    }
+    template <class X, class V>
+    [[nodiscard]] constexpr int at_corner(wall_view view) const {
+        using a = corner_formula<coefficient_a>;
+        using h = corner_formula<coefficient_h>;
+        return signs_.root(view, at_root<a, h, X, V>{}, V{}, corner_formula<discriminant_lagrange>{}, -1);
+    }
+
+    // Where D = 0 the ball may slide along the face, or along an edge, at exactly the distance r, and touch the wall
+    // from one border to the other. The one that it leaves, moving outwards from it, is not the first.
+    [[nodiscard]] constexpr encounter enters_edge(wall_view view) const {
+        if (signs_(view, edge_h{}) >= 0 || signs_(view, edge_c{}) < 0) {
+            return encounter::miss;
+        }
+        const int d = signs_.edge_discriminant(view);
+        const bool touches = d >= 0 && at_edge<edge_foot<0>, edge_foot_speed>(view) >= 0 &&
+                             at_edge<edge_foot<1>, edge_foot_speed>(view) <= 0 &&
+                             at_edge<side_height<0, 0>, side_speed<0>>(view) <= 0 &&
+                             !(d == 0 && signs_(view, plane_speed{}) == 0 && signs_(view, side_speed<0>{}) < 0);
+        return !touches ? encounter::miss : d == 0 ? encounter::graze : encounter::hit;
+    }
+
+    [[nodiscard]] constexpr encounter enters_corner(wall_view view) const {
+        if (signs_(view, corner_formula<coefficient_h>{}) >= 0 || signs_(view, corner_formula<coefficient_c>{}) < 0) {
+            return encounter::miss;
+        }
+        const int d = signs_.corner_discriminant(view);
+        if (d < 0 || at_corner<along<0>, along_speed<0>>(view) > 0) {
+            return encounter::miss;
+        }
+        if constexpr (N == 3) {
+            if (at_corner<along<1>, along_speed<1>>(view) > 0) {
+                return encounter::miss;
+            }
+        }
+        return d > 0 ? encounter::hit : slides_off(view) ? encounter::miss : encounter::graze;
+    }
+    [[nodiscard]] constexpr bool slides_off(wall_view view) const {
+        if (signs_(view, plane_speed{}) != 0 || signs_(view, side_speed<0>{}) > 0) {
+            return false;
+        }
+        if constexpr (N == 3) {
+            return signs_(view, side_speed<1>{}) <= 0;
+        } else {
+            return true;
+        }
     }
 
     Signs& signs_;

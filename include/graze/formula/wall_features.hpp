@@ -50,6 +50,35 @@ template <int N, class X, class U, class E, class S, class NN, class M>
     return plane_motion<N, X, U, NN, S>{m.w, m.u, m.n, m.r};
 }
 
+// One wall, seen from its corner `corner` (λ_0 + 2 λ_1): the corner is the origin and the edges run from it inwards,
+// exchanged if `swapped`. Every edge and corner is thus the edge λ_0 = 0, which runs along e[1], and the corner 0, of
+// some view.
+struct wall_view {
+    int corner = 0;
+    bool swapped = false;
+};
+
+template <int N, class X, class U, class E, class S, class NN, class M>
+[[nodiscard]] constexpr auto seen_from(const wall_motion<N, X, U, E, S, NN, M>& m, wall_view view) {
+    const auto far = [&](int i) { return (view.corner >> i & 1) != 0; };
+    const auto edge = [&](int i) {
+        const vec<N, E>& vector = m.e[static_cast<std::size_t>(i)];
+        return make_vec<N>([&](int k) { return far(i) ? E(-vector[k]) : vector[k]; });
+    };
+    const auto offset = [&](int i) {
+        const vec<N, E>& vector = m.e[static_cast<std::size_t>(i)];
+        return make_vec<N>([&](int k) { return far(i) ? vector[k] : E(0); });
+    };
+    if constexpr (N == 2) {
+        return wall_motion_of(m.w - offset(0), m.u, std::array<vec<2, E>, 1>{edge(0)}, m.r);
+    } else {
+        return wall_motion_of(m.w - offset(0) - offset(1), m.u,
+                              view.swapped ? std::array<vec<3, E>, 2>{edge(1), edge(0)}
+                                           : std::array<vec<3, E>, 2>{edge(0), edge(1)},
+                              m.r);
+    }
+}
+
 // w·side_i - far n·n: negative where λ_i < far (far is 0 or 1).
 template <int I, int Far>
 struct side_height {
@@ -63,7 +92,7 @@ struct side_height {
     }
 };
 
-// u·side_i: how fast λ_i grows, times n·n.
+// u·side_i: how fast that grows.
 template <int I>
 struct side_speed {
     template <class M>
@@ -78,14 +107,14 @@ template <int I, int Far>
 struct face_foot_p {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return plane_speed{}(m)*side_height<I, Far>{}(m)-plane_height{}(m)*dot(m.u, m.side[I]);
+        return plane_speed{}(m)*side_height<I, Far>{}(m)-plane_height{}(m)*side_speed<I>{}(m);
     }
 };
 template <int I>
 struct face_foot_q {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return m.r * dot(m.u, m.side[I]);
+        return m.r * side_speed<I>{}(m);
     }
 };
 struct face_foot_d {
@@ -95,160 +124,101 @@ struct face_foot_d {
     }
 };
 
-// The ball seen from the edge λ_i = far, which runs along e = the other edge vector: w from the edge's first end. Only
-// in space.
-template <int I, int Far>
-struct edge_view {
-    template <class M>
-    [[nodiscard]] constexpr const auto& direction(const M& m) const {
-        return m.e[1 - I];
-    }
-    template <class M>
-    [[nodiscard]] constexpr auto offset(const M& m) const {
-        if constexpr (Far == 0) {
-            return m.w;
-        } else {
-            return m.w - m.e[I];
-        }
-    }
-};
-
-// The ball against an infinite straight line: distances across it are |· × e| / |e|, so that with everything times e·e
-// a = |u × e|², h = ⟨w × e, u × e⟩, c = |w × e|² - r² e·e.
-template <int I, int Far>
-struct edge_a : edge_view<I, Far> {
+// The ball against the infinite line along the view's edge e = e[1], in space: distances across it are |· × e| / |e|,
+// so that with everything times e·e: a = |u × e|², h = ⟨w × e, u × e⟩, c = |w × e|² - r² e·e.
+struct edge_a {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(cross(m.u, this->direction(m)));
+        return squared_norm(cross(m.u, m.e[1]));
     }
 };
-template <int I, int Far>
-struct edge_h : edge_view<I, Far> {
+struct edge_h {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        const auto& e = this->direction(m);
-        return dot(cross(this->offset(m), e), cross(m.u, e));
+        return dot(cross(m.w, m.e[1]), cross(m.u, m.e[1]));
     }
 };
-template <int I, int Far>
-struct edge_c : edge_view<I, Far> {
+struct edge_c {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        const auto& e = this->direction(m);
-        return squared_norm(cross(this->offset(m), e)) - m.r * m.r * squared_norm(e);
+        return squared_norm(cross(m.w, m.e[1])) - m.r * m.r * squared_norm(m.e[1]);
     }
 };
 // D/(e·e) by Lagrange's identity: (w × e) × (u × e) is parallel to e, so that D = e·e (r² a - (e·(w × u))²).
-template <int I, int Far>
-struct edge_reduced_discriminant : edge_view<I, Far> {
+struct edge_reduced_discriminant {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        const auto triple = dot(this->direction(m), cross(this->offset(m), m.u));
-        return m.r * m.r * edge_a<I, Far>{}(m)-triple * triple;
+        const auto triple = dot(m.e[1], cross(m.w, m.u));
+        return m.r * m.r * edge_a{}(m)-triple * triple;
     }
 };
-template <int I, int Far>
-struct edge_discriminant : edge_view<I, Far> {
+struct edge_discriminant {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(this->direction(m)) * edge_reduced_discriminant<I, Far>{}(m);
+        return squared_norm(m.e[1]) * edge_reduced_discriminant{}(m);
     }
 };
 
-template <int I, int Far, class M>
+template <class M>
 [[nodiscard]] constexpr auto edge_quadratic(const M& m) {
-    return quadratic{edge_a<I, Far>{}(m), edge_h<I, Far>{}(m), edge_c<I, Far>{}(m)};
+    return quadratic{edge_a{}(m), edge_h{}(m), edge_c{}(m)};
 }
 
 // Where along the edge the centre's foot is at t = 0: w·e - end e·e.
-template <int I, int Far, int End>
-struct edge_foot_now : edge_view<I, Far> {
+template <int End>
+struct edge_foot {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        const auto& e = this->direction(m);
         if constexpr (End == 0) {
-            return dot(this->offset(m), e);
+            return dot(m.w, m.e[1]);
         } else {
-            return dot(this->offset(m), e) - squared_norm(e);
+            return dot(m.w, m.e[1]) - squared_norm(m.e[1]);
         }
     }
 };
-// The same when the ball touches the edge's line: p - q√D over a, with D = edge_discriminant.
-template <int I, int Far, int End>
-struct edge_foot_p : edge_view<I, Far> {
+struct edge_foot_speed {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return edge_a<I, Far>{}(m)*edge_foot_now<I, Far, End>{}(m)-edge_h<I, Far>{}(m)*dot(m.u, this->direction(m));
-    }
-};
-template <int I, int Far>
-struct edge_foot_q : edge_view<I, Far> {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.u, this->direction(m));
-    }
-};
-// On which side of the edge, in the wall's plane, the centre is then: (λ_i - far) n·n a is p - q√D.
-template <int I, int Far>
-struct edge_side_p : edge_view<I, Far> {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return edge_a<I, Far>{}(m)*side_height<I, Far>{}(m)-edge_h<I, Far>{}(m)*dot(m.u, m.side[I]);
-    }
-};
-template <int I, int Far>
-struct edge_side_q : edge_view<I, Far> {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.u, m.side[I]);
+        return dot(m.u, m.e[1]);
     }
 };
 
-// The corner at λ_0 = K & 1, λ_1 = K >> 1, as a ball of radius 0 at rest.
-template <int K>
-struct corner_view {
-    template <class M>
-    [[nodiscard]] constexpr auto motion(const M& m) const {
-        if constexpr (K == 0) {
-            return relative_motion{m.w, m.u, m.r};
-        } else if constexpr (K == 1) {
-            return relative_motion{m.w - m.e[0], m.u, m.r};
-        } else if constexpr (K == 2) {
-            return relative_motion{m.w - m.e[1], m.u, m.r};
-        } else {
-            return relative_motion{m.w - m.e[0] - m.e[1], m.u, m.r};
-        }
-    }
-};
-// F applied to that ball and corner: coefficient_a, coefficient_h, coefficient_c, discriminant_lagrange.
-template <int K, class F>
-struct corner_formula : corner_view<K> {
+// The ball against the view's corner, as a ball of radius 0 at rest: F is coefficient_a, coefficient_h, coefficient_c
+// or discriminant_lagrange.
+template <class M>
+[[nodiscard]] constexpr auto corner_motion(const M& m) {
+    return relative_motion{m.w, m.u, m.r};
+}
+template <class F>
+struct corner_formula {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return F{}(this->motion(m));
+        return F{}(corner_motion(m));
     }
 };
-// Along edge vector i from the corner, at t = 0 and at the touch (p - q√D over a).
-template <int K, int I>
-struct corner_along_now : corner_view<K> {
+
+// How far along edge i from the corner, and how fast that grows.
+template <int I>
+struct along {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(this->motion(m).dx, m.e[I]);
-    }
-};
-template <int K, int I>
-struct corner_along_p : corner_view<K> {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        const auto corner = this->motion(m);
-        return coefficient_a{}(corner)*dot(corner.dx, m.e[I]) - coefficient_h{}(corner)*dot(m.u, m.e[I]);
+        return dot(m.w, m.e[I]);
     }
 };
 template <int I>
-struct corner_along_q {
+struct along_speed {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
         return dot(m.u, m.e[I]);
+    }
+};
+
+// A quantity x + v t at the smaller root of a t² + 2 h t + c: (p - v√D)/a with this p.
+template <class A, class H, class X, class V>
+struct at_root {
+    template <class M>
+    [[nodiscard]] constexpr auto operator()(const M& m) const {
+        return A{}(m)*X{}(m)-H{}(m)*V{}(m);
     }
 };
 
