@@ -15,7 +15,8 @@ class number_text_error : public std::runtime_error {
 };
 
 // The value of a decimal (-12, 0.1, 6.02e23), a hexadecimal float (0x1.8p-3) or a fraction of integers (1/3), exactly.
-// Throws number_text_error for anything else, and for more than 10,000 characters or a value beyond 10^±10,000.
+// Throws number_text_error for anything else, and, so that no text takes all memory, for more than 10,000 characters, a
+// decimal exponent beyond ±10,000 or a binary one beyond ±40,000.
 [[nodiscard]] exact parse_exact(std::string_view text);
 
 // Whether text is inf or Infinity, in any case, with or without a +: what a mass may be beside a number.

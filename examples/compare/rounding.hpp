@@ -5,6 +5,10 @@
 
 namespace compare {
 
+// A whole number of any size.
+using exact_integer =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
 // In the convention of std::numeric_limits: finite values are below 2^max_exponent, the smallest normal one is
 // 2^(min_exponent - 1), and the subnormal ones below it are multiples of 2^(min_exponent - digits).
 struct binary_format {
@@ -21,7 +25,7 @@ enum class rounding { to_nearest, down, up }; // ties to even; down and up: towa
 struct rounded_value {
     bool negative = false;
     bool infinite = false;
-    boost::multiprecision::cpp_int significand = 0;
+    exact_integer significand = 0;
     long exponent = 0;
 };
 

@@ -1,28 +1,89 @@
 // Families of hard pairs, as doubles: what collision code gets wrong, by the cause.
 //
-// Only integers are random, so that a seed gives the same pairs on every platform, with any rounding mode and any
-// compiler flag. Needs the standard library and graze's shapes alone.
+// Only integers are random and no floating-point operation is done, so that a seed gives the same pairs on every
+// platform, in any rounding mode and under any compiler flag. Needs the standard library and graze's shapes alone.
 #pragma once
 
-#include <graze/shape/ball.hpp>
-#include <graze/shape/plane.hpp>
-#include <graze/shape/wall.hpp>
+#include "contact_families.hpp"
+#include "grazing_families.hpp"
+#include "range_families.hpp"
+#include "time_families.hpp"
+#include "wall_families.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
 namespace families {
 
-enum class pair_kind { ball_ball, ball_plane, ball_wall };
-
-// a and, by kind, b, plane or wall. An infinite mass is an infinity. hardness: the family's k, or -1.
+// Pair number `index` of a seed. Any index may be drawn alone.
 template <int N>
-struct pair_of_doubles {
-    pair_kind kind = pair_kind::ball_ball;
-    graze::ball<N, double> a{}, b{};
-    graze::plane<N, double> plane{};
-    graze::wall<N, double> wall{};
-    int hardness = -1;
+using generator = pair_of_doubles<N> (*)(std::uint64_t seed, std::uint64_t index);
+
+struct family {
+    std::string_view name;
+    std::string_view what_makes_it_hard;
+    std::string_view hardness; // what the pairs' k says, or empty
+    generator<2> in_the_plane;
+    generator<3> in_space;
+
+    template <int N>
+    [[nodiscard]] constexpr pair_of_doubles<N> draw(std::uint64_t seed, std::uint64_t index) const {
+        if constexpr (N == 2) {
+            return in_the_plane(seed, index);
+        } else {
+            return in_space(seed, index);
+        }
+    }
 };
+
+inline constexpr std::array all_families{
+    family{"generic", "Nothing but the rounding.", "", generic<2>, generic<3>},
+    family{"grazing", "The balls' least distance differs from that of contact by a fraction 2^-k of it.",
+           "(R² - m²)/R² is ±2^-k, m the least distance", grazing<2>, grazing<3>},
+    family{"tangent", "The discriminant is exactly 0, or would be but for one unit in the last place.", "", tangent<2>,
+           tangent<3>},
+    family{"far", "The balls are 2^k radii apart: the discriminant is a small difference of large products.",
+           "distance/R is 2^k", far<2>, far<3>},
+    family{"tiny_radii", "The radii are below the last bit of the distance, or 0.", "distance/R is 2^k", tiny_radii<2>,
+           tiny_radii<3>},
+    family{"near_contact", "The gap is a fraction 2^-k of the radii, so that |Δx|² - R² cancels.", "gap/R is 2^-k",
+           near_contact<2>, near_contact<3>},
+    family{"touching", "The gap is exactly 0, or would be but for one unit in the last place.", "", touching<2>,
+           touching<3>},
+    family{"after_bounce", "The balls part, but rounding has left about half of them overlapping.", "", after_bounce<2>,
+           after_bounce<3>},
+    family{"rounded_radius_sum", "The sum of the radii is not a double, and the nearest one answers otherwise.", "",
+           rounded_radius_sum<2>, rounded_radius_sum<3>},
+    family{"common_part", "Positions and velocities are large beside their differences, or their differences round.",
+           "grazing to 2^-k (even) or a common part of 2^k (odd pairs)", common_part<2>, common_part<3>},
+    family{"almost_equal_velocities", "The velocities agree in their first k bits.", "|u|/|Δu| is 2^k",
+           almost_equal_velocities<2>, almost_equal_velocities<3>},
+    family{"equal_times", "Pairs 2i and 2i + 1 collide at the same time, or a unit in the last place apart.", "",
+           equal_times<2>, equal_times<3>},
+    family{"ties", "The time is exactly between two doubles, exactly a double, or just beside.", "", ties<2>, ties<3>},
+    family{"edges_and_corners", "The least distance from a wall's edge or corner is r(1 ± 2^-k).",
+           "the least distance is r(1 ± 2^-k)", edges_and_corners<2>, edges_and_corners<3>},
+    family{"borders", "The wall is touched where its face ends, or where an edge does, or just beside.", "", borders<2>,
+           borders<3>},
+    family{"two_walls", "Pairs 2i and 2i + 1 are the two sides of a wedge, met at the same time.", "", two_walls<2>,
+           two_walls<3>},
+    family{"generic_wall", "Nothing but the rounding, against walls and planes.", "", generic_wall<2>, generic_wall<3>},
+    family{"scaled", "Everything is multiplied by 2^±500: squares overflow or vanish.", "", scaled<2>, scaled<3>},
+    family{"subnormal", "Lengths, or all numbers, are subnormal: products vanish.", "", subnormal<2>, subnormal<3>},
+    family{"own_exponents", "Every coordinate has an exponent of its own.", "", own_exponents<2>, own_exponents<3>},
+    family{"masses", "One mass is infinite or 2^k times as large as the other.", "the masses' ratio is 2^k", masses<2>,
+           masses<3>},
+};
+
+// Null if there is none of that name.
+[[nodiscard]] constexpr const family* find_family(std::string_view name) {
+    for (const family& f : all_families) {
+        if (f.name == name) {
+            return &f;
+        }
+    }
+    return nullptr;
+}
 
 } // namespace families

@@ -1,0 +1,23 @@
+# compare_input: scenes, families and exact numbers of the compare program, as a static library that its tests link too.
+set(GRAZE_EMBEDDED_SCENE ${CMAKE_CURRENT_LIST_DIR}/../scenes/pool_break.json)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${GRAZE_EMBEDDED_SCENE})
+file(READ ${GRAZE_EMBEDDED_SCENE} GRAZE_EMBEDDED_SCENE_TEXT)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/default_scene_text.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/default_scene_text.cpp @ONLY)
+
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+add_library(compare_input STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/default_scene.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/exact_text.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/input_error.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/integer_pairs.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/families.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/json_tree.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/pairs.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/rounding.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/scene_reader.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/default_scene_text.cpp)
+target_include_directories(compare_input PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+target_link_libraries(compare_input
+  PUBLIC graze::graze Boost::headers
+  PRIVATE graze_warnings nlohmann_json::nlohmann_json)

@@ -1,0 +1,37 @@
+// How a pair meets, decided in integers: much faster than in rationals, which reduce a fraction in every operation.
+#pragma once
+
+#include "rounding.hpp"
+
+#include <graze/formula/encounter.hpp>
+#include <graze/shape/ball.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/wall.hpp>
+
+#include <vector>
+
+namespace compare {
+
+// A scene times the common denominators of its lengths and of its velocities, and each normal times its own. Encounters
+// don't change.
+template <int N>
+struct integer_scene {
+    std::vector<graze::ball<N, exact_integer>> balls; // masses are not used
+    std::vector<graze::plane<N, exact_integer>> planes;
+    std::vector<graze::wall<N, exact_integer>> walls;
+};
+
+template <int N>
+[[nodiscard]] integer_scene<N> to_integers(const exact_scene<N>& scene);
+
+template <int N>
+[[nodiscard]] graze::encounter encounter_of_balls(const graze::ball<N, exact_integer>& a,
+                                                  const graze::ball<N, exact_integer>& b);
+template <int N>
+[[nodiscard]] graze::encounter encounter_with_plane(const graze::ball<N, exact_integer>& b,
+                                                    const graze::plane<N, exact_integer>& p);
+template <int N>
+[[nodiscard]] graze::encounter encounter_with_wall(const graze::ball<N, exact_integer>& b,
+                                                   const graze::wall<N, exact_integer>& w);
+
+} // namespace compare

@@ -1,0 +1,33 @@
+// JSON text as a tree whose numbers are the text that stands in the file.
+#pragma once
+
+#include "input_error.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace compare {
+
+enum class json_type { null, boolean, number, string, array, object };
+
+struct json_node {
+    json_type type = json_type::null;
+    std::string text;              // of a number or a string
+    std::vector<std::string> keys; // of an object, in the file's order, each once
+    std::vector<json_node> items;  // of an array or an object
+};
+
+// Throws input_error that names the file and, of a syntax error, line and column (in characters, of the last one read);
+// of a key that occurs twice, or of arrays and objects more than eight deep, the JSON pointer. A UTF-8 byte order mark
+// is skipped.
+[[nodiscard]] json_node parse_json(std::string_view text, const std::string& file);
+
+// The JSON pointer (RFC 6901) of a member of what `pointer` points to.
+[[nodiscard]] std::string pointer_to(const std::string& pointer, const std::string& key);
+[[nodiscard]] std::string pointer_to(const std::string& pointer, std::size_t index);
+
+// Throws input_error for the value at the pointer; "" is the whole text.
+[[noreturn]] void fail_at(const std::string& file, const std::string& pointer, const std::string& what);
+
+} // namespace compare
