@@ -57,7 +57,8 @@ struct decision_counts {
     std::size_t overlap = 0;     // wrong on whether they overlap
     std::size_t hit_or_miss = 0; // wrong among miss, graze and hit
     std::size_t feature = 0;     // right encounter, but with another face, edge or corner
-    [[nodiscard]] std::size_t wrong() const { return approaching + overlap + hit_or_miss + feature; }
+    std::size_t failed = 0;      // no answer: the type threw (overflow, division by zero)
+    [[nodiscard]] std::size_t wrong() const { return approaching + overlap + hit_or_miss + feature + failed; }
 };
 
 // Part of a row: the pairs of one kind and one hardness.
@@ -78,7 +79,8 @@ struct row {
     std::string group;   // group_information::name
     decision_counts decisions;
     std::array<error_statistics, quantity_count> errors; // of pairs whose decision is right; D of all balls' pairs
-    error_statistics width; // intervals only: the width of τ and crossings, in the same units
+    error_statistics width;       // intervals only: the width of τ and crossings, in the same units
+    std::size_t not_enclosed = 0; // intervals only: values outside the interval that should hold them
     defect_statistics momentum, energy;
     std::optional<double> nanoseconds;                // of a whole solve: median of the repeats
     double nanoseconds_low = 0, nanoseconds_high = 0; // the quartiles of the repeats

@@ -1,0 +1,10 @@
+// On what a comparison ran.
+#pragma once
+
+#include "results.hpp"
+
+namespace compare {
+
+[[nodiscard]] machine_information this_machine();
+
+} // namespace compare

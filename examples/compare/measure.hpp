@@ -1,0 +1,307 @@
+// Measures one number type: the formulas of graze::solve run in it, in every variant, on every pair.
+#pragma once
+
+#include "convert.hpp"
+#include "measurable.hpp"
+#include "reader.hpp"
+#include "score.hpp"
+#include "stopwatch.hpp"
+
+#include <graze/formula/solve.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace compare {
+
+// A pair in T. valid: T can hold its numbers.
+template <int N, class T>
+struct input {
+    pair_kind kind = pair_kind::ball_ball;
+    bool valid = true;
+    graze::ball<N, T> a{}, b{};
+    T inverse_a{0}, inverse_b{0};
+    graze::plane<N, T> plane{};
+    graze::wall<N, T> wall{};
+};
+
+template <class T, int N>
+[[nodiscard]] input<N, T> convert_pair(const problem<N>& pair) {
+    input<N, T> result;
+    result.kind = pair.kind;
+    try {
+        result.a = convert<T>(pair.a);
+        switch (pair.kind) {
+        case pair_kind::ball_ball:
+            result.b = convert<T>(pair.b);
+            result.inverse_a = convert<T>(pair.a.inverse_mass);
+            result.inverse_b = convert<T>(pair.b.inverse_mass);
+            break;
+        case pair_kind::ball_plane:
+            result.plane = convert<T>(pair.plane);
+            break;
+        case pair_kind::ball_wall:
+            result.wall = convert<T>(pair.wall);
+            break;
+        }
+    } catch (const std::exception&) {
+        result.valid = false;
+    }
+    return result;
+}
+
+// Where solutions go. The compiler does not see to whom, so that none is optimised away.
+template <int N, class T>
+class solution_sink {
+  public:
+    virtual ~solution_sink() = default;
+    virtual void take(const graze::ball_solution<N, T>& s) = 0;
+    virtual void take(const graze::wall_solution<N, T>& s) = 0;
+};
+
+// A plane's equation is linear: the variants are one there.
+template <graze::variant V, graze::root_form F, int N, class T>
+void solve_pair(const input<N, T>& pair, solution_sink<N, T>& sink) {
+    switch (pair.kind) {
+    case pair_kind::ball_ball:
+        sink.take(graze::solve_with_inverse_masses<V, F>(pair.a, pair.b, pair.inverse_a, pair.inverse_b));
+        break;
+    case pair_kind::ball_plane:
+        sink.take(graze::solve(pair.a, pair.plane));
+        break;
+    case pair_kind::ball_wall:
+        sink.take(graze::solve<V, F>(pair.a, pair.wall));
+        break;
+    }
+}
+
+// What an exception that a type throws stands for.
+template <class T>
+[[nodiscard]] outcome outcome_of_exception() {
+    if constexpr (requires { typename reader<T>::undecided; }) {
+        try {
+            throw;
+        } catch (const typename reader<T>::undecided&) {
+            return outcome::undecided;
+        } catch (const std::exception&) {
+            return outcome::failed;
+        }
+    } else {
+        return outcome::failed;
+    }
+}
+
+// Solves count pairs from first on; returns how the last one ended. One function for scoring and for timing.
+template <graze::variant V, graze::root_form F, int N, class T>
+outcome solve_pairs(const input<N, T>* first, std::size_t count, solution_sink<N, T>& sink) {
+    outcome last = outcome::answered;
+    for (std::size_t i = 0; i < count; ++i) {
+        try {
+            last = first[i].valid ? outcome::answered : outcome::failed;
+            if (first[i].valid) {
+                solve_pair<V, F>(first[i], sink);
+            }
+        } catch (const std::exception&) {
+            last = outcome_of_exception<T>();
+        }
+    }
+    return last;
+}
+
+template <class R, int N>
+void read_vector(std::vector<computed>& values, const graze::vec<N, R>& x, const std::vector<true_value>& right) {
+    for (int i = 0; i < N; ++i) {
+        values.push_back(reader<R>::read(x[i], right[values.size()]));
+    }
+}
+
+// The values that the truth has too.
+template <int N, class T>
+[[nodiscard]] answer read_answer(const graze::ball_solution<N, T>& s, const truth& right) {
+    answer given;
+    given.what = s.what;
+    given.discriminant = reader<T>::read(s.discriminant, *right.discriminant);
+    if (same_decision(given, right) && graze::is_collision(right.what)) {
+        given.time = reader<graze::root_type<T>>::read(s.time, right.time);
+        read_vector(given.positions, s.position_a, right.positions);
+        read_vector(given.positions, s.position_b, right.positions);
+        read_vector(given.velocities, s.velocity_a, right.velocities);
+        read_vector(given.velocities, s.velocity_b, right.velocities);
+    }
+    return given;
+}
+
+template <int N, class T>
+[[nodiscard]] answer read_answer(const graze::wall_solution<N, T>& s, const truth& right) {
+    answer given;
+    given.what = s.what;
+    given.where = s.where;
+    given.index = s.index;
+    if (same_decision(given, right) && graze::is_collision(right.what)) {
+        if (right.discriminant) {
+            given.discriminant = reader<T>::read(s.discriminant, *right.discriminant);
+        }
+        given.time = reader<graze::root_type<T>>::read(s.time, right.time);
+        read_vector(given.positions, s.position, right.positions);
+        read_vector(given.velocities, s.velocity, right.velocities);
+    }
+    return given;
+}
+
+// Reads one solution, to be held against the truth.
+template <int N, class T>
+class answering_sink final : public solution_sink<N, T> {
+  public:
+    explicit answering_sink(const truth& right) : right_(right) {}
+    void take(const graze::ball_solution<N, T>& s) override { given = read_answer(s, right_); }
+    void take(const graze::wall_solution<N, T>& s) override { given = read_answer(s, right_); }
+    answer given;
+
+  private:
+    const truth& right_;
+};
+
+// Forgets solutions, but lets lazy numbers be computed first.
+template <int N, class T>
+class forgetting_sink final : public solution_sink<N, T> {
+    using real = graze::root_type<T>;
+
+  public:
+    void take(const graze::ball_solution<N, T>& s) override {
+        if constexpr (is_lazy) {
+            if (graze::is_collision(s.what)) {
+                reader<real>::settle(s.time);
+                settle(s.position_a);
+                settle(s.position_b);
+                settle(s.velocity_a);
+                settle(s.velocity_b);
+            }
+        }
+    }
+    void take(const graze::wall_solution<N, T>& s) override {
+        if constexpr (is_lazy) {
+            if (graze::is_collision(s.what)) {
+                reader<real>::settle(s.time);
+                settle(s.position);
+                settle(s.velocity);
+            }
+        }
+    }
+
+  private:
+    static constexpr bool is_lazy = requires(const real& x) { reader<real>::settle(x); };
+    static void settle(const graze::vec<N, real>& x) {
+        for (int i = 0; i < N; ++i) {
+            reader<real>::settle(x[i]);
+        }
+    }
+};
+
+template <int N, class T>
+class group_measurement {
+  public:
+    group_measurement(const group_pairs<N>& pairs, const measurement_plan& plan) : pairs_(pairs), plan_(plan) {
+        inputs_.reserve(pairs.problems.size());
+        for (const problem<N>& pair : pairs.problems) {
+            inputs_.push_back(convert_pair<T>(pair));
+        }
+    }
+
+    void operator()(std::vector<row>& rows) {
+        with_methods<graze::variant::textbook, graze::variant::halved, graze::variant::kahan,
+                     graze::variant::lagrange>();
+        for (const candidate& c : candidates_) {
+            rows.push_back(scored(c));
+        }
+        const std::vector<timing> times = time_interleaved(timed_, plan_.timing_seconds);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            row& measured = rows[rows.size() - times.size() + i];
+            measured.nanoseconds = times[i].median;
+            measured.nanoseconds_low = times[i].low;
+            measured.nanoseconds_high = times[i].high;
+            measured.timed_pairs = times[i].pairs;
+            measured.repeats = times[i].repeats;
+        }
+    }
+
+  private:
+    struct candidate {
+        method how;
+        outcome (*solve)(const input<N, T>*, std::size_t, solution_sink<N, T>&) = nullptr;
+    };
+
+    template <graze::variant... V>
+    void with_methods() {
+        (with_method<V, graze::root_form::printed>(), ...);
+        (with_method<V, graze::root_form::stable>(), ...);
+    }
+
+    template <graze::variant V, graze::root_form F>
+    void with_method() {
+        if constexpr (graze::has_variant<V, T>) {
+            const method how{V, F};
+            if (std::find(plan_.methods.begin(), plan_.methods.end(), how) != plan_.methods.end()) {
+                const auto solve = &solve_pairs<V, F, N, T>;
+                candidates_.push_back({how, solve});
+                timed_.push_back({[this, solve](std::size_t count) { solve(inputs_.data(), count, *forgetting_); },
+                                  inputs_.size()});
+            }
+        }
+    }
+
+    row scored(const candidate& c) const {
+        row result;
+        result.variant = to_string(c.how.variant);
+        result.root = to_string(c.how.root);
+        const bool limited = graze::number_traits<T>::is_exact && !plan_.every_pair;
+        const double limit = plan_.scoring_seconds / static_cast<double>(candidates_.size());
+        const stopwatch since_start;
+        row_score score;
+        for (std::size_t i = 0; i < inputs_.size(); ++i) {
+            if (limited && since_start.seconds() > limit) {
+                break;
+            }
+            const truth& right = pairs_.truths[i];
+            answering_sink<N, T> sink(right);
+            const outcome how = c.solve(&inputs_[i], 1, sink);
+            sink.given.how = how;
+            score.add(sink.given, right, pairs_.problems[i].hardness);
+        }
+        score.write_to(result);
+        return result;
+    }
+
+    const group_pairs<N>& pairs_;
+    const measurement_plan& plan_;
+    std::vector<input<N, T>> inputs_;
+    std::vector<candidate> candidates_;
+    std::vector<timed_candidate> timed_;
+    std::unique_ptr<solution_sink<N, T>> forgetting_ = std::make_unique<forgetting_sink<N, T>>();
+};
+
+template <class T>
+void measure(const group& pairs, const measurement_plan& plan, std::vector<row>& rows) {
+    std::visit([&]<int N>(const group_pairs<N>& p) { group_measurement<N, T>(p, plan)(rows); }, pairs.pairs);
+}
+
+// What the traits say of T, ready to be completed.
+template <class T>
+[[nodiscard]] measurable measurable_type(const char* library, bool uses_heap = false, const char* note = "") {
+    using traits = graze::number_traits<T>;
+    type_information information;
+    information.name = traits::name;
+    information.library = library;
+    information.is_exact = traits::is_exact;
+    information.digits = traits::digits;
+    information.has_sqrt = graze::has_sqrt<T>;
+    information.has_fma = graze::has_fma<T>;
+    information.bytes = sizeof(T);
+    information.real_bytes = sizeof(graze::root_type<T>);
+    information.uses_heap = uses_heap;
+    information.note = note;
+    return {information, &measure<T>};
+}
+
+} // namespace compare

@@ -1,0 +1,194 @@
+#include "score.hpp"
+
+#include <limits>
+
+namespace compare {
+
+namespace {
+
+const char* name_of(pair_kind kind) {
+    return kind == pair_kind::ball_ball ? "ball_ball" : kind == pair_kind::ball_plane ? "ball_plane" : "ball_wall";
+}
+
+// A defect that is not zero can't be smaller in any type that wide holds: it would need more digits than they have.
+constexpr long least_defect = -880;
+
+double relative(const wide& defect, const wide& size) {
+    if (defect == 0 || exponent_of(defect) < exponent_of(size) + least_defect) {
+        return 0.0;
+    }
+    return scaled(wide(abs(defect) / size), 0);
+}
+
+} // namespace
+
+bool same_decision(const answer& given, const truth& right) {
+    if (given.how != outcome::answered || given.what != right.what) {
+        return false;
+    }
+    const bool on_wall = right.kind == pair_kind::ball_wall && graze::is_collision(right.what);
+    return !on_wall || (given.where == right.where && given.index == right.index);
+}
+
+void row_score::add_decision(const answer& given, const truth& right, part& cell) {
+    using graze::encounter;
+    ++decisions_.evaluated;
+    ++cell.evaluated;
+    if (given.how == outcome::undecided) {
+        ++decisions_.undecided;
+        ++cell.undecided;
+        return;
+    }
+    if (same_decision(given, right)) {
+        return;
+    }
+    ++cell.wrong;
+    if (given.how == outcome::failed) {
+        ++decisions_.failed;
+    } else if ((given.what == encounter::recede) != (right.what == encounter::recede)) {
+        ++decisions_.approaching;
+    } else if ((given.what == encounter::overlap) != (right.what == encounter::overlap)) {
+        ++decisions_.overlap;
+    } else if (given.what != right.what) {
+        ++decisions_.hit_or_miss;
+    } else {
+        ++decisions_.feature;
+    }
+}
+
+std::optional<double> row_score::add_scalar(quantity which, const computed& given, const true_value& right) {
+    const auto apart = distance(given, right);
+    if (!apart) {
+        sample(which).add_not_finite();
+        return std::numeric_limits<double>::infinity();
+    }
+    if (const interval* between = std::get_if<interval>(&given); between != nullptr && !encloses(*between, right)) {
+        ++not_enclosed_;
+    }
+    return sample(which).add(*apart, abs(right.value()), rounds_correctly(given, right));
+}
+
+void row_score::add_vector(quantity which, const std::vector<computed>& given, const std::vector<true_value>& right) {
+    wide farthest = 0, size = 0;
+    bool rounded = true;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        const auto apart = distance(given[i], right[i]);
+        if (!apart) {
+            sample(which).add_not_finite();
+            return;
+        }
+        if (const interval* between = std::get_if<interval>(&given[i]);
+            between != nullptr && !encloses(*between, right[i])) {
+            ++not_enclosed_;
+        }
+        farthest = *apart > farthest ? *apart : farthest;
+        const wide length = abs(right[i].value());
+        size = length > size ? length : size;
+        rounded = rounded && rounds_correctly(given[i], right[i]);
+    }
+    sample(which).add(farthest, size, rounded);
+}
+
+void row_score::add_width(const computed& given, const true_value& right) {
+    if (const interval* between = std::get_if<interval>(&given)) {
+        width_.add(between->high - between->low, abs(right.value()), false);
+    }
+}
+
+void row_score::add_conservation(const answer& given, const truth& right) {
+    const before_impact& before = right.before;
+    if (right.what == graze::encounter::graze || !(before.momentum || before.energy)) {
+        return;
+    }
+    // The truth conserves both, so an exact answer does when it is the truth.
+    bool exact_answer = true;
+    for (std::size_t i = 0; i < given.velocities.size(); ++i) {
+        const computed& v = given.velocities[i];
+        if (std::holds_alternative<interval>(v) || std::holds_alternative<not_finite>(v)) {
+            return;
+        }
+        exact_answer = exact_answer && std::holds_alternative<exact_real>(v) &&
+                       distance(v, right.velocities[i]) == std::optional<wide>(wide(0));
+    }
+    const auto dimension = static_cast<std::size_t>(before.dimension);
+    wide gained = 0, energy = 0, lost = 0, momentum = 0;
+    if (!exact_answer) {
+        std::vector<wide> kick(dimension, wide(0)), size(dimension, wide(0));
+        for (std::size_t i = 0; i < given.velocities.size(); ++i) {
+            const wide& mass = i < dimension ? before.mass_a : before.mass_b;
+            const wide& u = before.velocities[i];
+            const wide v = middle(given.velocities[i]);
+            energy += mass * u * u;
+            gained += mass * (v * v - u * u);
+            kick[i % dimension] += mass * (v - u);
+            size[i % dimension] += mass * abs(u);
+        }
+        for (std::size_t i = 0; i < dimension; ++i) {
+            const wide off = abs(kick[i]);
+            lost = off > lost ? off : lost;
+            momentum = size[i] > momentum ? size[i] : momentum;
+        }
+    }
+    if (before.energy) {
+        energy_.add(exact_answer ? 0.0 : relative(gained, energy));
+    }
+    if (before.momentum) {
+        momentum_.add(exact_answer ? 0.0 : relative(lost, momentum));
+    }
+}
+
+void row_score::add(const answer& given, const truth& right, int hardness) {
+    part& cell = parts_[{right.kind, hardness}];
+    add_decision(given, right, cell);
+    const bool same = same_decision(given, right);
+    // D is there whatever was decided of two balls; of a wall, when the same edge or corner was met.
+    if (right.discriminant && given.discriminant && (right.kind == pair_kind::ball_ball || same)) {
+        if (const auto error = add_scalar(quantity::discriminant, *given.discriminant, *right.discriminant)) {
+            cell.discriminants.push_back(*error);
+        }
+    }
+    if (!same || !graze::is_collision(right.what)) {
+        return;
+    }
+    if (right.what != graze::encounter::overlap) {
+        const quantity which = right.kind == pair_kind::ball_ball ? quantity::time : quantity::crossing;
+        if (const auto error = add_scalar(which, *given.time, right.time)) {
+            cell.times.push_back(*error);
+        }
+        add_width(*given.time, right.time);
+    }
+    add_vector(quantity::position, given.positions, right.positions);
+    add_vector(quantity::velocity, given.velocities, right.velocities);
+    add_conservation(given, right);
+}
+
+void row_score::write_to(row& result) const {
+    result.decisions = decisions_;
+    for (std::size_t i = 0; i < quantity_count; ++i) {
+        result.errors[i] = errors_[i].summary();
+    }
+    result.width = width_.summary();
+    result.not_enclosed = not_enclosed_;
+    result.momentum = momentum_.summary();
+    result.energy = energy_.summary();
+    for (const auto& [key, measured] : parts_) {
+        cell written;
+        written.kind = name_of(key.first);
+        written.hardness = key.second;
+        written.evaluated = measured.evaluated;
+        written.wrong = measured.wrong;
+        written.undecided = measured.undecided;
+        const auto summarise = [](std::vector<double> values, std::optional<double>& middle_one,
+                                  std::optional<double>& largest) {
+            if (!values.empty()) {
+                middle_one = median(values);
+                largest = values.back();
+            }
+        };
+        summarise(measured.times, written.time_median, written.time_largest);
+        summarise(measured.discriminants, written.discriminant_median, written.discriminant_largest);
+        result.cells.push_back(std::move(written));
+    }
+}
+
+} // namespace compare

@@ -1,0 +1,56 @@
+// What a number type answered, held against the truth.
+#pragma once
+
+#include "results.hpp"
+#include "statistics.hpp"
+#include "truth.hpp"
+
+#include <map>
+#include <utility>
+
+namespace compare {
+
+enum class outcome { answered, undecided, failed };
+
+// What a type answered to one pair. Vectors are laid end to end as in truth.
+struct answer {
+    outcome how = outcome::answered;
+    graze::encounter what = graze::encounter::recede;
+    graze::feature where = graze::feature::face;
+    int index = 0;
+    std::optional<computed> discriminant, time;
+    std::vector<computed> positions, velocities;
+};
+
+// Whether a pair's answer is held against the truth at all, and rightly decided.
+[[nodiscard]] bool same_decision(const answer& given, const truth& right);
+
+// Collects the answers of one row.
+class row_score {
+  public:
+    void add(const answer& given, const truth& right, int hardness);
+    // Fills in all of the row but its names and times.
+    void write_to(row& result) const;
+
+  private:
+    struct part {
+        std::size_t evaluated = 0, wrong = 0, undecided = 0;
+        std::vector<double> times, discriminants;
+    };
+
+    void add_decision(const answer& given, const truth& right, part& cell);
+    std::optional<double> add_scalar(quantity which, const computed& given, const true_value& right);
+    void add_vector(quantity which, const std::vector<computed>& given, const std::vector<true_value>& right);
+    void add_width(const computed& given, const true_value& right);
+    void add_conservation(const answer& given, const truth& right);
+    error_sample& sample(quantity q) { return errors_[static_cast<std::size_t>(q)]; }
+
+    decision_counts decisions_;
+    std::array<error_sample, quantity_count> errors_;
+    error_sample width_;
+    std::size_t not_enclosed_ = 0;
+    defect_sample momentum_, energy_;
+    std::map<std::pair<pair_kind, int>, part> parts_;
+};
+
+} // namespace compare

@@ -1,0 +1,35 @@
+// Time, and how it is taken of things that are compared.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace compare {
+
+class stopwatch {
+  public:
+    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(clock::now() - start_).count(); }
+
+  private:
+    using clock = std::chrono::steady_clock;
+    clock::time_point start_ = clock::now();
+};
+
+// run(n) works on the first n of what is available.
+struct timed_candidate {
+    std::function<void(std::size_t)> run;
+    std::size_t available = 0;
+};
+
+struct timing {
+    double median = 0, low = 0, high = 0; // nanoseconds for one; low and high are the quartiles of the repeats
+    std::size_t pairs = 0, repeats = 0;
+};
+
+// Times the candidates in turn, so that what changes on the machine meanwhile falls on all of them; at least three
+// repeats of at least 24 each, or all there are. seconds is what to aim at for all together.
+[[nodiscard]] std::vector<timing> time_interleaved(const std::vector<timed_candidate>& candidates, double seconds);
+
+} // namespace compare

@@ -1,0 +1,71 @@
+// The exact value of a quantity, p + q√d, and how far a computed one is from it.
+#pragma once
+
+#include "wide.hpp"
+
+#include <graze/number/sqrt_extension.hpp>
+
+#include <optional>
+#include <variant>
+
+namespace compare {
+
+using exact_real = graze::sqrt_extension<exact>;
+
+// x with its root taken if that is rational, so that q is 0 exactly when x is rational.
+[[nodiscard]] exact_real simplified(const exact_real& x);
+
+// Whether x and y are the same real number, also over different roots.
+[[nodiscard]] bool equal(const exact_real& x, const exact_real& y);
+
+// Square roots of rationals to 2^-890, the last one remembered: the values of one pair share theirs.
+class root_memory {
+  public:
+    [[nodiscard]] const wide& root_of(const exact& d);
+
+  private:
+    exact d_ = 0;
+    wide root_ = 0;
+};
+
+// x to 2^-880: its conjugate stands in where p and q√d would cancel.
+[[nodiscard]] wide to_wide(const exact_real& x, root_memory& roots);
+
+class true_value {
+  public:
+    true_value() = default;
+    true_value(const exact_real& x, root_memory& roots);
+
+    [[nodiscard]] const exact_real& exactly() const noexcept { return exactly_; }
+    [[nodiscard]] const wide& value() const noexcept { return value_; } // relative error below 2^-880
+    [[nodiscard]] bool is_value() const noexcept { return is_value_; }  // value() is the exact value
+    [[nodiscard]] double nearest() const noexcept { return nearest_; }  // correctly rounded, ties to even
+
+  private:
+    exact_real exactly_;
+    wide value_ = 0;
+    bool is_value_ = true;
+    double nearest_ = 0;
+};
+
+// What a number type computed, exactly, in one of the forms that types have.
+struct not_finite {};
+struct interval {
+    wide low, high;
+};
+using computed = std::variant<wide, exact_real, interval, not_finite>;
+
+// |x - t|, of an interval that of its farther end; 0 exactly when x is t. Certified: a relative error below 2^-100,
+// or, where x agrees with an irrational t to 2^-780, that much of t as an upper bound. Empty when x is not finite.
+[[nodiscard]] std::optional<wide> distance(const computed& x, const true_value& t);
+
+// Whether x rounds to the same double as t does.
+[[nodiscard]] bool rounds_correctly(const computed& x, const true_value& t);
+
+// Whether t lies in the interval x.
+[[nodiscard]] bool encloses(const interval& x, const true_value& t);
+
+// An approximation of x to at least 2^-880; of an interval its middle.
+[[nodiscard]] wide middle(const computed& x);
+
+} // namespace compare

@@ -1,0 +1,64 @@
+#include "type_list.hpp"
+
+#include "types/types.hpp"
+
+namespace compare {
+
+// COMPARE_HAS_* are set by the build, for the libraries that it found. A type is added by a source file in types/, a
+// line in types.hpp and one in each list below; what it is measured by need not be graze::solve (see measurable).
+
+std::vector<measurable> all_types() {
+    std::vector<measurable> list;
+    list.push_back(types::of_float());
+    list.push_back(types::of_double());
+    list.push_back(types::of_long_double());
+#if COMPARE_HAS_FLOAT128
+    list.push_back(types::of_float128());
+#endif
+#if COMPARE_HAS_QD
+    list.push_back(types::of_double_double());
+#endif
+    list.push_back(types::of_cpp_bin_float_50());
+    list.push_back(types::of_cpp_bin_float_100());
+    list.push_back(types::of_cpp_dec_float_50());
+#if COMPARE_HAS_MPFR
+    list.push_back(types::of_mpfr_float_50());
+#endif
+#if COMPARE_HAS_CGAL
+    list.push_back(types::of_interval());
+#endif
+    list.push_back(types::of_cpp_rational());
+#if COMPARE_HAS_GMP
+    list.push_back(types::of_mpq_rational());
+    list.push_back(types::of_mpq_class());
+#endif
+#if COMPARE_HAS_CGAL
+    list.push_back(types::of_gmpq());
+    list.push_back(types::of_exact_rational());
+    list.push_back(types::of_lazy_exact());
+    list.push_back(types::of_core_expr());
+#endif
+    return list;
+}
+
+std::vector<missing_type> missing_types() {
+    std::vector<missing_type> list;
+#if !COMPARE_HAS_FLOAT128
+    list.push_back({"__float128", "the compiler has no quadmath.h"});
+#endif
+#if !COMPARE_HAS_QD
+    list.push_back({"dd_real", "libqd was not found"});
+#endif
+#if !COMPARE_HAS_MPFR
+    list.push_back({"mpfr_float_50", "MPFR was not found"});
+#endif
+#if !COMPARE_HAS_GMP
+    list.push_back({"mpq_rational, mpq_class", "GMP was not found"});
+#endif
+#if !COMPARE_HAS_CGAL
+    list.push_back({"CGAL::Interval_nt, CGAL::Gmpq, CGAL::Lazy_exact_nt, CORE::Expr", "CGAL was not found"});
+#endif
+    return list;
+}
+
+} // namespace compare

@@ -1,0 +1,8 @@
+#include "cpp_bin_float.hpp"
+#include "types.hpp"
+
+namespace compare::types {
+
+measurable of_cpp_bin_float_100() { return measurable_type<cpp_bin_float<100>>("Boost"); }
+
+} // namespace compare::types

@@ -1,0 +1,32 @@
+#include "../measure.hpp"
+#include "gmp_exact.hpp"
+#include "types.hpp"
+
+#include <graze/number/cgal.hpp>
+
+#include <gmpxx.h>
+
+namespace compare {
+
+template <>
+struct converter<CGAL::Gmpq> {
+    [[nodiscard]] static CGAL::Gmpq from(const exact& x) {
+        mpq_class result;
+        set_rational(result.get_mpq_t(), x);
+        return CGAL::Gmpq(result.get_mpq_t());
+    }
+};
+
+template <>
+struct reader<CGAL::Gmpq> {
+    [[nodiscard]] static computed read(const CGAL::Gmpq& x, const true_value&) {
+        return exact_real(rational_of(x.mpq()));
+    }
+};
+
+namespace types {
+
+measurable of_gmpq() { return measurable_type<CGAL::Gmpq>("CGAL", true, "GMP's mpq_t, counted references"); }
+
+} // namespace types
+} // namespace compare

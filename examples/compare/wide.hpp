@@ -1,0 +1,69 @@
+// Binary floating numbers wide enough to hold what the number types compute exactly, and the truth to 2^-890.
+#pragma once
+
+#include "problem.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+namespace compare {
+
+inline constexpr int wide_digits = 896;
+using wide = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<wide_digits, boost::multiprecision::digit_base_2, void, std::int64_t>,
+    boost::multiprecision::et_off>;
+
+// The nearest wide number; relative error below 2^-892, none when x has a power of two below the line and at most
+// wide_digits bits above it.
+[[nodiscard]] wide to_wide(const exact& x);
+
+// Whether to_wide(x) is x.
+[[nodiscard]] bool is_wide(const exact& x);
+
+// floor(log2|x|) for x != 0.
+[[nodiscard]] long exponent_of(const wide& x);
+
+// x · 2^exponent as a double; 0 only where x is, infinity beyond the range.
+[[nodiscard]] double scaled(const wide& x, long exponent);
+
+// x rounded to nearest, ties to even, subnormals kept, infinite beyond the range.
+[[nodiscard]] double nearest_double(const wide& x);
+
+// The middle of two adjacent doubles from which x is at most 2^-800 of itself away, if there is one.
+[[nodiscard]] std::optional<wide> middle_beside(const wide& x);
+
+// The exact value.
+[[nodiscard]] exact to_exact(const wide& x);
+
+// The value of a finite binary number of a built-in type, exactly: taken apart in pieces of 32 bits, for types that wide
+// has no constructor for.
+template <class T>
+[[nodiscard]] wide taken_apart(T x) {
+    const T large = T(65536) * T(65536);
+    const T small = T(1) / large;
+    const bool negative = x < T(0);
+    if (negative) {
+        x = -x;
+    }
+    int exponent = 0;
+    for (; x >= large; x *= small) {
+        exponent += 32;
+    }
+    for (; x > T(0) && x < T(1); x *= large) {
+        exponent -= 32;
+    }
+    wide sum = 0;
+    while (x > T(0)) {
+        const auto piece = static_cast<std::uint64_t>(x);
+        sum += ldexp(wide(piece), exponent);
+        x = (x - static_cast<T>(piece)) * large;
+        exponent -= 32;
+    }
+    return negative ? wide(-sum) : sum;
+}
+
+} // namespace compare
