@@ -71,8 +71,8 @@ namespace detail {
 [[nodiscard]] constexpr binary to_binary(const std::int32_t& x) noexcept { return detail::odd(x, 0); }
 [[nodiscard]] constexpr binary to_binary(const std::int64_t& x) noexcept { return detail::odd(x, 0); }
 
-// K numbers as integers on one scale: value_i = significand_i · 2^(shift_i + exponent), 0 <= shift_i, |value_i| < 2^(width +
-// exponent).
+// K numbers as integers on one scale: value_i = significand_i · 2^(shift_i + exponent), 0 <= shift_i, |value_i| <
+// 2^(width + exponent).
 template <std::size_t K>
 struct lifted {
     std::array<std::int64_t, K> significand{};

@@ -26,15 +26,14 @@ class integer {
 
     // Exact; refuses to compile where a value of the argument's type may not fit.
     template <std::signed_integral I>
-        requires(sizeof(I) <= 8 && (Bits >= 8 * static_cast<int>(sizeof(I)) || std::same_as<I, int>))
-    constexpr integer(I value) noexcept {
+    requires(sizeof(I) <= 8 &&
+             (Bits >= 8 * static_cast<int>(sizeof(I)) || std::same_as<I, int>)) constexpr integer(I value) noexcept {
         fill(static_cast<std::int64_t>(value));
     }
 
     // From a narrower one.
     template <int B>
-        requires(B < Bits)
-    constexpr integer(const integer<B>& x) noexcept {
+    requires(B < Bits) constexpr integer(const integer<B>& x) noexcept {
         for (int i = 0; i < limbs; ++i) {
             limb_[static_cast<unsigned>(i)] = x.limb(i);
         }
@@ -108,9 +107,7 @@ class integer {
     constexpr void set_limb(int i, std::uint64_t value) noexcept { limb_[static_cast<unsigned>(i)] = value; }
 
   private:
-    [[nodiscard]] constexpr std::uint64_t extension() const noexcept {
-        return is_negative() ? ~std::uint64_t{0} : 0;
-    }
+    [[nodiscard]] constexpr std::uint64_t extension() const noexcept { return is_negative() ? ~std::uint64_t{0} : 0; }
     constexpr void fill(std::int64_t value) noexcept {
         limb_[0] = static_cast<std::uint64_t>(value);
         for (unsigned i = 1; i < limbs; ++i) {
@@ -143,7 +140,8 @@ template <int A, int B>
     return r;
 }
 
-// Rows of unsigned products; what a negative factor's top bit counted too much is taken off at the end (modulo the width).
+// Rows of unsigned products; what a negative factor's top bit counted too much is taken off at the end (modulo the
+// width).
 template <int A, int B>
 [[nodiscard]] constexpr auto operator*(const integer<A>& x, const integer<B>& y) noexcept {
     using product = integer<A + B>;

@@ -7,10 +7,10 @@
 
 namespace graze {
 
-// An integer x with |x| < 2^Bits as Σ digit_i 2^(64 position_i), the digits in [-2^63, 2^63), zero digits left out. A carry
-// is one more digit and does not run through zeros, so that 2^2000 - 1 has two digits. The sign is that of the
-// highest digit, since all below it amount to less than its unit. Same widths as integer<Bits>; never allocates. The cost of a
-// product is that of its non-zero digits.
+// An integer x with |x| < 2^Bits as Σ digit_i 2^(64 position_i), the digits in [-2^63, 2^63), zero digits left out. A
+// carry is one more digit and does not run through zeros, so that 2^2000 - 1 has two digits. The sign is that of the
+// highest digit, since all below it amount to less than its unit. Same widths as integer<Bits>; never allocates. The
+// cost of a product is that of its non-zero digits.
 template <int Bits>
 class sparse_integer {
   public:
@@ -21,8 +21,7 @@ class sparse_integer {
     constexpr sparse_integer(int value) noexcept : sparse_integer(from_shifted(value, 0)) {}
 
     template <int B>
-        requires(B < Bits)
-    constexpr sparse_integer(const sparse_integer<B>& x) noexcept : count_(0) {
+    requires(B < Bits) constexpr sparse_integer(const sparse_integer<B>& x) noexcept : count_(0) {
         for (int i = 0; i < x.count(); ++i) {
             append(x.position(i), x.digit(i));
         }
@@ -43,9 +42,7 @@ class sparse_integer {
     [[nodiscard]] constexpr int count() const noexcept { return count_; }
     [[nodiscard]] constexpr int position(int i) const noexcept { return position_[i]; }
     [[nodiscard]] constexpr std::int64_t digit(int i) const noexcept { return digit_[i]; }
-    [[nodiscard]] constexpr int sign() const noexcept {
-        return count_ == 0 ? 0 : digit_[count_ - 1] < 0 ? -1 : 1;
-    }
+    [[nodiscard]] constexpr int sign() const noexcept { return count_ == 0 ? 0 : digit_[count_ - 1] < 0 ? -1 : 1; }
 
     // Adds a digit above all others; a zero is left out.
     constexpr void append(int position, std::int64_t digit) noexcept {
@@ -56,7 +53,7 @@ class sparse_integer {
         }
     }
 
-    [[nodiscard]] constexpr auto operator-() const noexcept { return sparse_integer<1>() - *this; }
+    [[nodiscard]] constexpr sparse_integer operator-() const noexcept;
 
   private:
     int count_;
@@ -90,6 +87,11 @@ template <class R, int A, int B>
 }
 
 } // namespace detail
+
+template <int Bits>
+constexpr sparse_integer<Bits> sparse_integer<Bits>::operator-() const noexcept {
+    return detail::sparse_sum<sparse_integer>(sparse_integer<1>(), *this, -1);
+}
 
 template <int A, int B>
 [[nodiscard]] constexpr auto operator+(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {

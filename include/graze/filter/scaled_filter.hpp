@@ -1,0 +1,46 @@
+// The filter of any formula of a motion, by the magnitudes of its inputs: |computed - exact| <= K length^i velocity^j
+// normal^k.
+#pragma once
+
+#include <graze/filter/static_filter.hpp>
+
+namespace graze {
+
+// Upper bounds of the norms of a motion's lengths, velocities and normals; sums of magnitudes, so that no root is
+// taken.
+struct magnitudes {
+    double length = 0;
+    double velocity = 0;
+    double normal = 1;
+};
+
+// Σ|x_i|, an upper bound of the norm.
+template <int N>
+[[nodiscard]] constexpr double sum_of_magnitudes(const vec<N, double>& x) noexcept {
+    double sum = 0;
+    for (int i = 0; i < N; ++i) {
+        sum += x[i] < 0 ? -x[i] : x[i];
+    }
+    return sum;
+}
+
+// In these ranges no formula of degree up to 12 in lengths, 4 in velocities and 6 in normals over- or underflows: products of
+// scales stay within 2^±800, and what is flushed to zero (below 2^-1022 a time) is less than 2^-150 of them, which the slack of
+// the constants (2^-92 of them) covers. A NaN or an infinity among the inputs is out of range as well.
+[[nodiscard]] constexpr bool usable(const magnitudes& s) noexcept {
+    return static_cast<unsigned>(detail::within_powers<50>(s.length)) &
+           static_cast<unsigned>(detail::within_powers<50>(s.velocity)) &
+           static_cast<unsigned>(detail::within_powers<50>(s.normal));
+}
+
+// The sign of F on a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.
+template <class Bounds, class F, class M>
+[[nodiscard]] constexpr int filtered_sign(F f, const M& motion, const magnitudes& s) noexcept {
+    constexpr double k = filter_constant(F{}, Bounds::value());
+    constexpr error_bound::degrees d = filter_degrees(F{}, Bounds::value());
+    static_assert(d[0] <= 12 && d[1] <= 4 && d[2] <= 6 && 50 * (d[0] + d[1] + d[2]) <= 800, "outside the range that usable() checks");
+    return certain_sign(f(motion),
+                        k * (power_of<d[0]>(s.length) * power_of<d[1]>(s.velocity) * power_of<d[2]>(s.normal)));
+}
+
+} // namespace graze

@@ -1,0 +1,57 @@
+// From a formula to the constant of its filter, and from a computed value to a sign that is certain.
+#pragma once
+
+#include <graze/analysis/error_bound.hpp>
+
+#include <bit>
+#include <cstdint>
+
+namespace graze {
+
+// K such that |computed - exact| <= K Π scale_k^degree_k, when F runs in doubles on inputs bounded as `bounds` (the
+// same inputs in error_bound) say. Holds in every rounding mode, contracted or not. The slack also covers the roundings
+// of the scales (fewer than 2^10) and of their products, provided that each scale is computed as a sum of non-negative
+// terms.
+template <class F, class B>
+[[nodiscard]] consteval double filter_constant(F f, const B& bounds) {
+    return f(bounds).error * error_bound::unit * error_bound_slack;
+}
+
+template <class F, class B>
+[[nodiscard]] consteval error_bound::degrees filter_degrees(F f, const B& bounds) {
+    return f(bounds).degree;
+}
+
+// What a filter says of a value: its sign where that is certain, and `open` where it is not. NaN is open.
+inline constexpr int open = 2;
+
+[[nodiscard]] constexpr int certain_sign(double value, double bound) noexcept {
+    return value > bound ? 1 : value < -bound ? -1 : open;
+}
+
+// scale^power, power >= 0, known when compiled.
+template <int Power>
+[[nodiscard]] constexpr double power_of(double scale) noexcept {
+    if constexpr (Power == 0) {
+        return 1.0;
+    } else if constexpr (Power == 1) {
+        return scale;
+    } else {
+        const double half = power_of<Power / 2>(scale);
+        return Power % 2 == 0 ? half * half : half * half * scale;
+    }
+}
+
+namespace detail {
+
+// Whether x is a positive number in [2^-E, 2^E), by its bits: one comparison, true of no zero, negative number or NaN,
+// in any floating-point environment.
+template <int E>
+[[nodiscard]] constexpr bool within_powers(double x) noexcept {
+    constexpr std::uint64_t low = static_cast<std::uint64_t>(1023 - E) << 52;
+    constexpr std::uint64_t high = static_cast<std::uint64_t>(1023 + E) << 52;
+    return std::bit_cast<std::uint64_t>(x) - low < high - low;
+}
+
+} // namespace detail
+} // namespace graze

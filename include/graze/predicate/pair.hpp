@@ -1,0 +1,132 @@
+// A pair as a row of numbers, lengths first, then velocities, then normals: what is lifted and what an impact_time
+// keeps.
+#pragma once
+
+#include <graze/filter/exact_tier.hpp>
+#include <graze/formula/wall_features.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace graze {
+
+// Each pair kind has: the numbers of lengths, velocities and normals; pack, which makes the row; and motion, which
+// makes of lifted inputs the relative motion that the formulas take.
+template <int N>
+struct two_balls {
+    static constexpr std::size_t n = N;
+    static constexpr std::size_t lengths = 2 * n + 2;
+    static constexpr std::size_t velocities = 2 * n;
+    static constexpr std::size_t normals = 0;
+
+    template <class T>
+    [[nodiscard]] static constexpr auto pack(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+        std::array<T, lengths + velocities> row{};
+        for (std::size_t i = 0; i < n; ++i) {
+            row[i] = a.position.component[i];
+            row[n + i] = b.position.component[i];
+            row[lengths + i] = a.velocity.component[i];
+            row[lengths + n + i] = b.velocity.component[i];
+        }
+        row[2 * n] = a.radius;
+        row[2 * n + 1] = b.radius;
+        return row;
+    }
+
+    template <class I, class Inputs>
+    [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
+        const auto length = [&](std::size_t i) { return in.length.template get<I>(i); };
+        const auto velocity = [&](std::size_t i) { return in.velocity.template get<I>(i); };
+        const auto vector = [](const auto& get, std::size_t from) {
+            return make_vec<N>([&](int i) { return get(from + static_cast<std::size_t>(i)); });
+        };
+        return relative_motion_of(ball<N, I>{vector(length, 0), vector(velocity, 0), length(2 * n)},
+                                  ball<N, I>{vector(length, n), vector(velocity, n), length(2 * n + 1)});
+    }
+};
+
+template <int N>
+struct ball_and_plane {
+    static constexpr std::size_t n = N;
+    static constexpr std::size_t lengths = 2 * n + 1;
+    static constexpr std::size_t velocities = n;
+    static constexpr std::size_t normals = n;
+
+    template <class T>
+    [[nodiscard]] static constexpr auto pack(const ball<N, T>& b, const plane<N, T>& p) noexcept {
+        std::array<T, lengths + velocities + normals> row{};
+        for (std::size_t i = 0; i < n; ++i) {
+            row[i] = b.position.component[i];
+            row[n + i] = p.point.component[i];
+            row[lengths + i] = b.velocity.component[i];
+            row[lengths + velocities + i] = p.normal.component[i];
+        }
+        row[2 * n] = b.radius;
+        return row;
+    }
+
+    template <class I, class Inputs>
+    [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
+        const auto vector = [](const auto& group, std::size_t from) {
+            return make_vec<N>([&](int i) { return group.template get<I>(from + static_cast<std::size_t>(i)); });
+        };
+        return relative_motion_of(
+            ball<N, I>{vector(in.length, 0), vector(in.velocity, 0), in.length.template get<I>(2 * n)},
+            plane<N, I>{vector(in.length, n), vector(in.normal, 0)});
+    }
+};
+
+template <int N>
+struct ball_and_wall {
+    static constexpr std::size_t n = N;
+    static constexpr std::size_t lengths = (n + 1) * n + 1;
+    static constexpr std::size_t velocities = n;
+    static constexpr std::size_t normals = 0;
+
+    template <class T>
+    [[nodiscard]] static constexpr auto pack(const ball<N, T>& b, const wall<N, T>& w) noexcept {
+        std::array<T, lengths + velocities> row{};
+        for (std::size_t i = 0; i < n; ++i) {
+            row[i] = b.position.component[i];
+            row[n + i] = w.corner.component[i];
+            for (std::size_t k = 0; k + 1 < n; ++k) {
+                row[(2 + k) * n + i] = w.edge[k].component[i];
+            }
+            row[lengths + i] = b.velocity.component[i];
+        }
+        row[lengths - 1] = b.radius;
+        return row;
+    }
+
+    template <class I, class Inputs>
+    [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
+        const auto vector = [](const auto& group, std::size_t from) {
+            return make_vec<N>([&](int i) { return group.template get<I>(from + static_cast<std::size_t>(i)); });
+        };
+        wall<N, I> w{vector(in.length, n), {}};
+        for (std::size_t k = 0; k + 1 < n; ++k) {
+            w.edge[k] = vector(in.length, (2 + k) * n);
+        }
+        return relative_motion_of(
+            ball<N, I>{vector(in.length, 0), vector(in.velocity, 0), in.length.template get<I>(lengths - 1)}, w);
+    }
+};
+
+// A row of pair kind P, lifted.
+template <class P, class Row>
+[[nodiscard]] constexpr auto lift_row(const Row& row) noexcept {
+    using T = typename Row::value_type;
+    const auto part = [&]<std::size_t From, std::size_t Count>() {
+        std::array<T, Count> values{};
+        std::copy_n(row.begin() + From, Count, values.begin());
+        return lift(values);
+    };
+    lifted_inputs<P::lengths, P::velocities, P::normals> r;
+    r.length = part.template operator()<0, P::lengths>();
+    r.velocity = part.template operator()<P::lengths, P::velocities>();
+    r.normal = part.template operator()<P::lengths + P::velocities, P::normals>();
+    return r;
+}
+
+} // namespace graze
