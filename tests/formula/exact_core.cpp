@@ -9,5 +9,4 @@ static bool equal(const Expr& x, const oracle::surd& y) {
 }
 } // namespace CORE
 
-// Its signs of zero cost tens of microseconds each.
 TEST_CASE("graze::solve in CORE::Expr is exact") { exact::check_all<CORE::Expr>(); }
