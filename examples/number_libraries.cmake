@@ -46,6 +46,11 @@ function(graze_number_library name types header)
 endfunction()
 
 function(graze_find_number_libraries)
+    get_property(done GLOBAL PROPERTY graze_number_libraries_done)
+    if(done)
+        return() # what is missing has been said
+    endif()
+    set_property(GLOBAL PROPERTY graze_number_libraries_done TRUE)
     graze_number_library(boost "cpp_bin_float, cpp_dec_float, cpp_rational" boost/multiprecision/number.hpp)
     graze_number_library(gmp "mpq_class, mpq_rational" gmpxx.h LIBRARIES gmpxx gmp)
     graze_number_library(mpfr "mpfr_float" mpfr.h LIBRARIES mpfr NEEDS boost gmp)
