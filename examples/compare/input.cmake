@@ -5,7 +5,6 @@ file(READ ${GRAZE_EMBEDDED_SCENE} GRAZE_EMBEDDED_SCENE_TEXT)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/default_scene_text.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/default_scene_text.cpp @ONLY)
 
 find_package(nlohmann_json 3.11 REQUIRED)
-find_package(Boost 1.74 REQUIRED)
 add_library(compare_input STATIC
   ${CMAKE_CURRENT_LIST_DIR}/default_scene.cpp
   ${CMAKE_CURRENT_LIST_DIR}/exact_text.cpp
@@ -19,5 +18,10 @@ add_library(compare_input STATIC
   ${CMAKE_CURRENT_BINARY_DIR}/default_scene_text.cpp)
 target_include_directories(compare_input PUBLIC ${CMAKE_CURRENT_LIST_DIR})
 target_link_libraries(compare_input
-  PUBLIC graze::graze Boost::headers
+  PUBLIC graze::graze graze_number_boost
   PRIVATE graze_warnings nlohmann_json::nlohmann_json)
+
+# Writes examples/scenes/*.json again.
+add_executable(generate_scenes ${CMAKE_CURRENT_LIST_DIR}/../scenes/generate.cpp)
+target_compile_features(generate_scenes PRIVATE cxx_std_20)
+target_link_libraries(generate_scenes PRIVATE graze_warnings)

@@ -30,7 +30,7 @@ template <int N>
     } else { // a hit if the inward part of the velocity is more than about √(2·2^-k) of it
         const std::int64_t sideways = r.in(std::int64_t{1} << 30, std::int64_t{1} << 31);
         const std::int64_t border = sideways * p.along.weight >> ((k - 1) / 2);
-        const std::int64_t inward = r.in(border / 2, border * 2 + 2);
+        const std::int64_t inward = r.in(border / 8, border + 1);
         m.du = sum<N>(times<N>(-inward, p.axes.axis[0]), times<N>(sideways, p.along.vector));
     }
     pair_of_doubles<N> pair = balls<N>(r, m);

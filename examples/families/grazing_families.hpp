@@ -44,7 +44,7 @@ template <int N>
     const std::int64_t radius_scale = std::int64_t{1} << (51 - k); // in the unit of dx
     integers<N> dx = times<N>(-r.in(32, 63), du);
     for (std::int64_t& x : dx) {
-        x += r.in(-radius_scale, radius_scale);
+        x += r.in(-3 * radius_scale, 3 * radius_scale);
     }
     const std::int64_t R = r.in(std::int64_t{1} << 51, (std::int64_t{1} << 52) - 1);
     pair_of_doubles<N> pair = balls<N>(r, {dx, du, R, k});

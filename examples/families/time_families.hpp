@@ -18,7 +18,7 @@ template <int N>
     du[fastest] = r.either_sign(std::int64_t{1} << bits);
     integers<N> dx = times<N>(-r.in(std::int64_t{1} << (k - 2), std::int64_t{1} << (k - 1)), du);
     for (std::int64_t& x : dx) {
-        x += r.signed_bits(47);
+        x += r.signed_bits(48);
     }
     relative<N> m{dx, du, r.in(std::int64_t{1} << 46, std::int64_t{1} << 48)};
     pair_of_doubles<N> pair = balls<N>(r, m);
