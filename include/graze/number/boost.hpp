@@ -1,5 +1,5 @@
 // Numbers of Boost.Multiprecision, whatever their backend: cpp_bin_float, cpp_dec_float, cpp_int, cpp_rational, gmp_*.
-// Include the backend's own Boost header as well. (number/mpfr.hpp adds to this header what MPFR has beside.)
+// Include the backend's own Boost header as well; for MPFR include number/mpfr.hpp instead.
 //
 // They are numbers with expression templates off only: boost::multiprecision::number<Backend, et_off>. With et_on a sum
 // is an expression that refers to its operands, so graze::number is not satisfied (sum_is_a_value says why).
@@ -80,10 +80,11 @@ template <class Backend>
 concept ring_backend =
     integer_backend<Backend> || backend_of_kind<Backend, boost::multiprecision::number_kind_rational>;
 
-// Bits of the significand. A decimal type's are floor(digits · log2(10)): what its coarsest spacing is sure to hold.
+// Bits of the significand. For d decimal digits floor(1 + (d - 1) log2(10)): as fine as a binary type of so many bits
+// everywhere, and in places finer.
 template <class Limits>
 consteval int significand_bits() {
-    return Limits::radix == 10 ? static_cast<int>(static_cast<long long>(Limits::digits10) * 33219 / 10000)
+    return Limits::radix == 10 ? static_cast<int>(1 + static_cast<long long>(Limits::digits10 - 1) * 33219 / 10000)
                                : Limits::digits;
 }
 
