@@ -149,7 +149,8 @@ void page::pictures() {
     add("<details><summary>Digits wanted, by group</summary>\n" + matrix_table(found_) + "</details>\n</section>\n");
     add("<section id=\"decisions\"><h2>Wrong decisions</h2>\n<p>How many pairs a type took for a hit that was a miss, "
         "for overlapping, for approaching, "
-        "or the other way round. A type and variant that has no line here decided every pair right.</p>\n");
+        "or the other way round. Amber: left open, by a type that says so. What has no line "
+        "here decided every pair right.</p>\n");
     figure([&](format f) { return decisions_picture(found_, f); }, "Every type and variant decided every pair right.");
     add("</section>\n<section id=\"distribution\"><h2>How the errors are distributed</h2>\n<p>Which share of the times "
         "of impact, of pairs decided right, "

@@ -91,24 +91,24 @@ std::string decisions_picture(const results& found, format size) {
         return {};
     }
     const bool narrow = size == format::narrow;
-    const double row_height = 24, head = 84, left = narrow ? 128 : 190;
+    const double row_height = 24, head = 96, left = narrow ? 142 : 190, letters = narrow ? 11 : 12;
     const int width = narrow ? 360 : 1040,
               height = static_cast<int>(head + row_height * static_cast<double>(lines.size()) + 8);
     picture p("decisions", width, height, "How many decisions each number type got wrong in each group");
     const double columns = static_cast<double>(found.groups.size());
-    const double cell_width = std::min((width - left - 30) / columns, 150.0);
+    const double cell_width = std::min((width - left - 48) / columns, 150.0);
     p.margins(left, width - left - cell_width * columns, head, 8);
     p.add("unset grid\nunset xtics\nunset ytics");
     p.add("set xrange [0:" + exactly(columns) + "]\nset yrange [" + std::to_string(lines.size()) + ":0]");
     for (std::size_t g = 0; g < found.groups.size(); ++g) {
-        p.label(fitted(found.groups[g].name, 12, 96), exactly(static_cast<double>(g) + 0.5),
-                "screen " + exactly(1 - (head - 8) / height), "left", ink::text, 12, 40);
+        p.label(fitted(found.groups[g].name, letters, 98), exactly(static_cast<double>(g) + 0.5),
+                "screen " + exactly(1 - (head - 8) / height), "left", ink::text, letters, 55);
     }
     std::string marks, hollow;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double y = static_cast<double>(i);
-        p.label(fitted(lines[i].name, 12, left - 8), "screen " + exactly((left - 8) / width),
-                "first " + exactly(y + 0.5), "right", ink::text);
+        p.label(fitted(lines[i].name, letters, left - 8), "screen " + exactly((left - 8) / width),
+                "first " + exactly(y + 0.5), "right", ink::text, letters);
         for (std::size_t g = 0; g < found.groups.size(); ++g) {
             const auto& d = lines[i].groups[g];
             const double x = static_cast<double>(g);
@@ -123,11 +123,10 @@ std::string decisions_picture(const results& found, format size) {
                                   : d.wrong() != 0 ? ink::bad
                                                    : ink::open) +
                   " fs transparent solid " + exactly(bad == 0 ? 0.5 : shade) + " noborder");
-            const std::string shown = d.evaluated == 0 ? ""
-                                      : bad == 0       ? "0"
-                                                       : readable_count(bad) + (d.wrong() == 0 ? " open" : "");
-            if (width_of(shown, 12) < cell_width - 2) {
-                p.label(shown, exactly(x + 0.5), exactly(y + 0.5), "center", bad == 0 ? ink::muted : ink::text);
+            const std::string shown = d.evaluated == 0 ? "" : bad == 0 ? "0" : readable_count(bad);
+            if (width_of(shown, letters) < cell_width - 2) {
+                p.label(shown, exactly(x + 0.5), exactly(y + 0.5), "center", bad == 0 ? ink::muted : ink::text,
+                        letters);
             }
             marks += exactly(x + 0.5) + " " + exactly(y + 0.5) + " " +
                      p.text(hover_text(lines[i], found.groups[g], d)) + "\n";

@@ -64,20 +64,19 @@ std::string distribution_picture(const results& found, const group_information& 
     if (number == 0) {
         return {};
     }
-    p.margins(44, 10, 26, 40);
+    p.margins(44, 10, 26, 46);
     p.add("set xrange [" + std::to_string(smallest) + ":" + std::to_string(greatest) + "]");
     p.add("set yrange [0:101]");
-    std::string tics;
+    std::vector<std::pair<double, std::string>> tics;
     for (const int b : {-10, 0, 10, 20, 30, 40, 50}) {
-        tics += (tics.empty() ? "" : ",") + p.text(b == 0 ? "1" : power_of(2, b)) + " " + std::to_string(b);
+        tics.emplace_back(b, b == 0 ? "1" : power_of(2, b));
     }
-    p.add("set xtics (" + tics + ")");
-    p.add("set ytics (" + p.text("0 %") + " 0," + p.text("25 %") + " 25," + p.text("50 %") + " 50," + p.text("75 %") +
-          " 75," + p.text("100 %") + " 100)");
+    p.tics('x', tics);
+    p.tics('y', {{0, "0 %"}, {25, "25 %"}, {50, "50 %"}, {75, "75 %"}, {100, "100 %"}});
     p.add("set arrow from -1,graph 0 to -1,graph 1 nohead back lw 1 dt (4,4) lc " + picture::colour(ink::muted));
     p.label("share of the times", "screen 0.008", "screen 0.955", "left", ink::muted);
     p.label("error of τ in ulps →", "graph 1", "screen 0.035", "right", ink::muted);
-    p.label("½ ulp", "-1", "screen 0.955", "center", ink::muted, 11);
+    p.label("½ ulp", "first -0.3", "graph 0.04", "left", ink::muted, 11);
     p.add(blocks + "plot " + plots.substr(2));
     return p.svg();
 }

@@ -96,7 +96,7 @@ std::string hardness_picture(const results& found, const group_information& grou
         plots = ", $own using 1:2 with filledcurves y1=0 fs transparent solid 0.16 noborder lc " +
                 picture::colour(ink::muted) + plots;
     }
-    p.margins(34, 8, 26, 40);
+    p.margins(34, 8, 26, 46);
     p.add("set xrange [" + std::to_string(first) + ":" + std::to_string(std::max(last, first + 1)) + "]");
     p.add("set yrange [-1:" + exactly(std::min(std::max(most, 10.0), 124.0) * 1.03) + "]");
     p.add("set xtics 10");

@@ -36,7 +36,7 @@ std::string matrix_picture(const results& found, format size) {
         return {};
     }
     const bool narrow = size == format::narrow;
-    const double row_height = narrow ? 38 : 30, left = narrow ? 62 : 84, top = 8, bottom = 40;
+    const double row_height = narrow ? 38 : 30, left = narrow ? 72 : 84, top = 8, bottom = 48;
     const int width = narrow ? 360 : 1040,
               height = static_cast<int>(top + bottom + row_height * static_cast<double>(bars.size()));
     picture p("matrix", width, height, "The cost of the cheapest number type that is right to so many digits");
@@ -44,11 +44,11 @@ std::string matrix_picture(const results& found, format size) {
     const double from = std::floor(std::log10(least)), to = std::max(std::log10(most) + (narrow ? 0.1 : 1.2), from + 1);
     p.add("set xrange [" + exactly(from) + ":" + exactly(to) + "]\nset yrange [" + std::to_string(bars.size()) + ":0]");
     p.add("unset ytics\nset grid xtics");
-    std::string tics;
+    std::vector<std::pair<double, std::string>> tics;
     for (int decade = static_cast<int>(from); decade <= to; ++decade) {
-        tics += (tics.empty() ? "" : ",") + p.text(readable_time(std::pow(10, decade))) + " " + std::to_string(decade);
+        tics.emplace_back(decade, readable_time(std::pow(10, decade)));
     }
-    p.add("set xtics (" + tics + ")");
+    p.tics('x', tics);
     p.label("time of one whole solve →", "graph 1", "screen " + exactly(10.0 / height), "right", ink::muted);
     std::string rows;
     for (std::size_t i = 0; i < bars.size(); ++i) {

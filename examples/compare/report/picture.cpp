@@ -37,7 +37,18 @@ void picture::margins(double left, double right, double top, double bottom) {
 
 std::string picture::text(const std::string& content) {
     texts_.push_back(content);
-    return '"' + mark_of_text(texts_.size() - 1) + '"';
+    std::string quoted(1, '"');
+    quoted.append(mark_of_text(texts_.size() - 1)).push_back('"');
+    return quoted;
+}
+
+void picture::tics(char axis, const std::vector<std::pair<double, std::string>>& places) {
+    std::string all = "set ";
+    all.append(1, axis).append("tics (");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        all.append(i == 0 ? "" : ",").append(text(places[i].second)).append(" ").append(exactly(places[i].first));
+    }
+    add(all + ")");
 }
 
 std::string picture::colour(ink role) { return "rgb \"" + mark_of_colour(role) + '"'; }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace compare::report {
@@ -47,6 +48,9 @@ class picture {
 
     // A mark for the text, in quotes: use it wherever gnuplot takes a string.
     [[nodiscard]] std::string text(const std::string& content);
+
+    // Texts at places of the axis 'x' or 'y'.
+    void tics(char axis, const std::vector<std::pair<double, std::string>>& places);
 
     // A mark for the colour, as gnuplot's `rgb "..."`.
     [[nodiscard]] static std::string colour(ink role);

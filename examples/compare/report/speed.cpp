@@ -160,16 +160,12 @@ std::string speed_picture(const results& found, format size) {
     p.margins(left, right, top, bottom);
     p.add("set xrange [" + exactly(x_from) + ":" + exactly(x_to) + "]");
     p.add("set yrange [" + exactly(axis.bottom()) + ":" + exactly(axis.top()) + "]");
-    std::string x_tics, y_tics;
+    std::vector<std::pair<double, std::string>> decades;
     for (int decade = static_cast<int>(std::ceil(x_from)); decade <= x_to; ++decade) {
-        x_tics +=
-            (x_tics.empty() ? "" : ",") + p.text(readable_time(std::pow(10, decade))) + " " + std::to_string(decade);
+        decades.emplace_back(decade, readable_time(std::pow(10, decade)));
     }
-    for (const auto& [at, name] : axis.tics()) {
-        y_tics += (y_tics.empty() ? "" : ",") + p.text(name) + " " + exactly(at);
-    }
-    p.add("set xtics (" + x_tics + ")");
-    p.add("set ytics (" + y_tics + ")");
+    p.tics('x', decades);
+    p.tics('y', axis.tics());
     p.label("time of one whole solve →", "graph 1", "screen " + exactly(10.0 / p.height()), "right", ink::muted);
     p.label("largest error of τ, relative ↓", "screen " + exactly(narrow ? 0.004 : 0.012),
             "screen " + exactly(1 - (top - 12) / p.height()), "left", ink::muted);

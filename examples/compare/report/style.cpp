@@ -69,19 +69,19 @@ thead th { color: var(--muted); font-weight: 500; vertical-align: bottom; border
 .bad { color: var(--bad); }
 .open { color: var(--open); }
 .figures tbody tr:hover { background: var(--panel); }
-@media (max-width: 900px) {
+@media screen and (max-width: 1100px) {
   main { padding: 20px 15px 60px; }
   h1 { font-size: 1.5rem; }
   .answer { font-size: 1.08rem; }
   .panels { grid-template-columns: repeat(auto-fit, minmax(min(100%, 320px), 1fr)); }
   thead { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
   table, tbody { display: block; }
-  tr { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 150px), 1fr)); gap: 0 14px;
+  tr { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 220px), 1fr)); gap: 0 14px;
     border-bottom: 1px solid var(--rule); padding: .6em 0; }
   tbody th { grid-column: 1 / -1; border: 0; padding: 0 0 .15em; font-size: .9rem; white-space: normal; }
-  td, .figures td { display: flex; justify-content: space-between; gap: .8em; text-align: right; white-space: normal;
-    border: 0; padding: .08em 0; }
-  td::before { content: attr(data-head); color: var(--muted); text-align: left; flex: none; max-width: 60%; }
+  td, .figures td { display: flow-root; text-align: right; white-space: normal; border: 0; padding: .08em 0; }
+  td::before { content: attr(data-head); color: var(--muted); float: left; max-width: 55%; margin-right: .8em; text-align: left; }
+  .words tbody th { white-space: normal; }
   .words tr { grid-template-columns: 1fr; }
   .words small { display: inline; }
 }

@@ -148,7 +148,11 @@ std::string printed(const element& parent, const std::vector<std::string>& texts
 
 } // namespace
 
-std::string mark_of_text(std::size_t index) { return "~" + std::to_string(index) + "~"; }
+std::string mark_of_text(std::size_t index) {
+    std::string mark(1, '~');
+    mark.append(std::to_string(index)).push_back('~');
+    return mark;
+}
 
 std::string mark_of_colour(ink role) {
     std::array<char, 16> buffer{};

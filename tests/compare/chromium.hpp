@@ -1,0 +1,40 @@
+// Headless Chromium as eyes for tests: opens a page of our own and tells what is to be seen.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eyes {
+
+// Where the browser is; empty if it is not installed.
+[[nodiscard]] std::optional<std::string> chromium();
+
+struct seen_picture {
+    std::string name;             // the element's class
+    double width = 0, height = 0; // of its box, CSS pixels
+    int drawn = 0;                // shapes and texts within it that have an extent
+    int named_points = 0;         // with a title of their own
+    double ink = 0;               // the share of its pixels that differ from the paper around it
+    int colours = 0;              // distinct ones, of 16 levels a channel
+};
+
+struct seen_page {
+    int width = 0;                     // of the view
+    int needed_width = 0;              // more than width: the page scrolls sideways
+    std::vector<std::string> too_wide; // elements that reach out of the view
+    int references = 0;                // to anything outside the page, whether it could be loaded or not
+    int scripts = 0;
+    std::vector<seen_picture> pictures; // those that are shown
+    double paper = 0;                   // brightness of the page's background, 0 to 1
+};
+
+// Opens the page in a view so many pixels wide and looks at it. Throws std::runtime_error if the browser fails or does
+// not answer in two minutes.
+[[nodiscard]] seen_page look_at(const std::string& html, int width, bool dark);
+
+// The same with every <details> open and without looking at pixels: ink, colours and paper stay 0.
+[[nodiscard]] seen_page lay_out(const std::string& html, int width);
+
+} // namespace eyes
