@@ -3,3 +3,5 @@
 
 #include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
+#include <graze/predicate/overlaps.hpp>
+#include <graze/predicate/time_of_impact.hpp>

@@ -24,9 +24,10 @@ template <int N>
     return sum;
 }
 
-// In these ranges no formula of degree up to 12 in lengths, 4 in velocities and 6 in normals over- or underflows: products of
-// scales stay within 2^±800, and what is flushed to zero (below 2^-1022 a time) is less than 2^-150 of them, which the slack of
-// the constants (2^-92 of them) covers. A NaN or an infinity among the inputs is out of range as well.
+// In these ranges no formula of degree up to 12 in lengths, 4 in velocities and 6 in normals over- or underflows:
+// products of scales stay within 2^±800, and what is flushed to zero (below 2^-1022 a time) is less than 2^-150 of
+// them, which the slack of the constants (2^-92 of them) covers. A NaN or an infinity among the inputs is out of range
+// as well.
 [[nodiscard]] constexpr bool usable(const magnitudes& s) noexcept {
     return static_cast<unsigned>(detail::within_powers<50>(s.length)) &
            static_cast<unsigned>(detail::within_powers<50>(s.velocity)) &
@@ -38,7 +39,8 @@ template <class Bounds, class F, class M>
 [[nodiscard]] constexpr int filtered_sign(F f, const M& motion, const magnitudes& s) noexcept {
     constexpr double k = filter_constant(F{}, Bounds::value());
     constexpr error_bound::degrees d = filter_degrees(F{}, Bounds::value());
-    static_assert(d[0] <= 12 && d[1] <= 4 && d[2] <= 6 && 50 * (d[0] + d[1] + d[2]) <= 800, "outside the range that usable() checks");
+    static_assert(d[0] <= 12 && d[1] <= 4 && d[2] <= 6 && 50 * (d[0] + d[1] + d[2]) <= 800,
+                  "outside the range that usable() checks");
     return certain_sign(f(motion),
                         k * (power_of<d[0]>(s.length) * power_of<d[1]>(s.velocity) * power_of<d[2]>(s.normal)));
 }

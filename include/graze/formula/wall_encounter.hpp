@@ -50,9 +50,12 @@ class wall_decision {
     constexpr explicit wall_decision(Signs& signs) : signs_(signs) {}
 
     [[nodiscard]] constexpr wall_encounter operator()() const {
-        const wall_encounter now = closest_now();
-        if (now.what != encounter::miss) {
-            return now;
+        const located now = closest_feature();
+        if (approach(now) >= 0) {
+            return {encounter::recede, now.where, now.index};
+        }
+        if (clearance(now) < 0) {
+            return {encounter::overlap, now.where, now.index};
         }
         if (enters_face()) {
             return {encounter::hit, feature::face, 0};
@@ -72,22 +75,24 @@ class wall_decision {
         return {encounter::miss, feature::face, 0};
     }
 
+    // Whether the centre is nearer to the wall than r at t = 0.
+    [[nodiscard]] constexpr bool overlaps() const { return clearance(closest_feature()) < 0; }
+
   private:
     static constexpr int corners = N == 2 ? 2 : 4;
 
-    // From a feature's h and c; miss stands for "apart and approaching it".
-    [[nodiscard]] static constexpr encounter from(int sign_h, int sign_c) {
-        return sign_h >= 0 ? encounter::recede : sign_c < 0 ? encounter::overlap : encounter::miss;
-    }
+    struct located {
+        feature where;
+        int index;
+    };
 
-    [[nodiscard]] constexpr wall_encounter closest_now() const {
+    // The feature on which the wall's closest point to the centre is at t = 0.
+    [[nodiscard]] constexpr located closest_feature() const {
         constexpr wall_view base{};
         const bool low0 = signs_(base, side_height<0, 0>{}) < 0;
         const bool high0 = signs_(base, side_height<0, 1>{}) > 0;
         if constexpr (N == 2) {
-            if (low0 || high0) {
-                return corner_now(low0 ? 0 : 1);
-            }
+            return low0 || high0 ? located{feature::corner, low0 ? 0 : 1} : located{feature::face, 0};
         } else {
             const bool low1 = signs_(base, side_height<1, 0>{}) < 0;
             const bool high1 = signs_(base, side_height<1, 1>{}) > 0;
@@ -95,26 +100,42 @@ class wall_decision {
             for (int i = 0; i < 4; ++i) {
                 const wall_view view = edge_view(i);
                 if (outside[i] && signs_(view, edge_foot<0>{}) >= 0 && signs_(view, edge_foot<1>{}) <= 0) {
-                    return {from(signs_(view, edge_h{}), signs_(view, edge_c{})), feature::edge, i};
+                    return {feature::edge, i};
                 }
             }
             if (low0 || high0 || low1 || high1) {
                 for (int i = 0; i < corners; ++i) { // in whose normal cone: behind it along both edges
                     if (signs_({i, false}, along<0>{}) <= 0 && signs_({i, false}, along<1>{}) <= 0) {
-                        return corner_now(i);
+                        return {feature::corner, i};
                     }
                 }
-                return {encounter::recede, feature::corner, 0}; // reached by rounding only
             }
+            return {feature::face, 0};
         }
-        return {from(signs_(base, plane_height{}) * signs_(base, plane_speed{}), signs_(base, plane_clearance{})),
-                feature::face, 0};
     }
 
-    [[nodiscard]] constexpr wall_encounter corner_now(int i) const {
-        const wall_view view{i, false};
-        return {from(signs_(view, corner_formula<coefficient_h>{}), signs_(view, corner_formula<coefficient_c>{})),
-                feature::corner, i};
+    // The signs of h and c of the closest feature.
+    [[nodiscard]] constexpr int approach(located f) const {
+        if (f.where == feature::face) {
+            return signs_(wall_view{}, plane_height{}) * signs_(wall_view{}, plane_speed{});
+        }
+        if constexpr (N == 3) {
+            if (f.where == feature::edge) {
+                return signs_(edge_view(f.index), edge_h{});
+            }
+        }
+        return signs_({f.index, false}, corner_formula<coefficient_h>{});
+    }
+    [[nodiscard]] constexpr int clearance(located f) const {
+        if (f.where == feature::face) {
+            return signs_(wall_view{}, plane_clearance{});
+        }
+        if constexpr (N == 3) {
+            if (f.where == feature::edge) {
+                return signs_(edge_view(f.index), edge_c{});
+            }
+        }
+        return signs_({f.index, false}, corner_formula<coefficient_c>{});
     }
 
     [[nodiscard]] constexpr bool enters_face() const {

@@ -114,4 +114,21 @@ template <class T, std::size_t K>
     return r;
 }
 
+// Brings two groups to their common scale and width.
+template <std::size_t K, std::size_t L>
+constexpr void align(lifted<K>& x, lifted<L>& y) noexcept {
+    const int exponent = x.exponent < y.exponent ? x.exponent : y.exponent;
+    const auto rescale = [exponent](auto& group) {
+        const int up = group.exponent - exponent;
+        for (std::size_t i = 0; i < group.shift.size(); ++i) {
+            group.shift[i] += group.significand[i] != 0 ? up : 0;
+        }
+        group.exponent = exponent;
+        group.width += up;
+    };
+    rescale(x);
+    rescale(y);
+    x.width = y.width = x.width > y.width ? x.width : y.width;
+}
+
 } // namespace graze

@@ -37,29 +37,63 @@ struct ball_filter {
     static_assert(filter_degrees(halved_of_motion{}, ball_bounds<N, T>::value()) == error_bound::degrees{2, 2, 0});
 };
 
-// Σ|Δx_i Δu_i|: the scale against which h is rounded, before Cauchy and Schwarz make it length·velocity.
-template <int N>
-[[nodiscard]] inline double magnitude_of_products(const vec<N, double>& x, const vec<N, double>& y) noexcept {
-    double sum = std::fabs(x[0] * y[0]);
-    for (int i = 1; i < N; ++i) {
-        sum += std::fabs(x[i] * y[i]);
+// What the filter knows of a pair: the encounter if it is certain, and the numbers on which that rests.
+struct filtered_balls {
+    bool certain = false;
+    encounter what = encounter::recede;
+    double h = 0, c = 0, discriminant = 0;
+    double length2 = 0; // |Δx|² + R²
+    double scale = 0;   // |Δu|² length2
+};
+
+// In [2^-450, 2^450) for |Δu|² and length2 no product over- or underflows, and what is flushed to zero is below 2^-120
+// of its scale. NaN and infinities are out of range.
+template <int N, class T>
+[[nodiscard]] inline filtered_balls filter_balls(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+    using constant = ball_filter<N, T>;
+    filtered_balls r;
+    const auto m = rounded_motion(a, b);
+    const auto q = quadratic_of(m);
+    const double velocity2 = q.a;
+    r.h = q.h;
+    r.length2 = squared_norm(m.dx) + m.R * m.R;
+    r.scale = velocity2 * r.length2;
+    if (r.h * r.h > constant::h_squared * r.scale && within_powers<450>(velocity2) && within_powers<450>(r.length2) &&
+        plain_radius(a.radius) && plain_radius(b.radius)) {
+        if (r.h > 0) {
+            r.certain = true;
+            return r;
+        }
+        r.c = q.c;
+        r.discriminant = discriminant_halved{}(q);
+        const bool certain_c = std::fabs(r.c) > constant::c * r.length2;
+        const bool certain_d = std::fabs(r.discriminant) > constant::discriminant * r.scale;
+        r.certain = certain_c && (certain_d || r.c < 0);
+        r.what = r.c < 0 ? encounter::overlap : r.discriminant < 0 ? encounter::miss : encounter::hit;
     }
-    return sum;
+    return r;
 }
 
-template <int N, class T>
-[[nodiscard]] constexpr encounter classify_balls_exactly(const ball<N, T>& a, const ball<N, T>& b) {
+// f(motion) with the exact relative motion of two balls whose values have been checked.
+template <int N, class T, class F>
+[[nodiscard]] constexpr auto with_exact_balls(const ball<N, T>& a, const ball<N, T>& b, F f) {
     check(a, "ball a");
     check(b, "ball b");
-    return with_exact_motion<two_balls<N>>(lift_row<two_balls<N>>(two_balls<N>::pack(a, b)), [](const auto& m) {
+    return with_exact_motion<two_balls<N>>(lift_row<two_balls<N>>(two_balls<N>::pack(a, b)), f);
+}
+
+// The encounter by the signs of exact numbers.
+struct exact_encounter {
+    template <class M>
+    [[nodiscard]] constexpr encounter operator()(const M& m) const {
         const auto h = coefficient_h{}(m);
         const auto c = coefficient_c{}(m);
         return encounter_of([&] { return sign(h); }, [&] { return sign(c); },
                             [&] {
                                 return sign(discriminant_halved{}(quadratic{coefficient_a{}(m), h, c}));
                             });
-    });
-}
+    }
+};
 
 } // namespace detail
 
@@ -70,30 +104,13 @@ template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr encounter classify(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
     if (!std::is_constant_evaluated()) {
-        using filter = detail::ball_filter<N, T>;
-        const auto m = detail::rounded_motion(a, b);
-        const double h = coefficient_h{}(m);
-        const double h_bound = filter::h * detail::magnitude_of_products(m.dx, m.du);
-        if (detail::plain_radius(a.radius) && detail::plain_radius(b.radius) &&
-            detail::within_powers<450>(std::fabs(h))) {
-            if (h > h_bound) {
-                observer(stage::filter);
-                return encounter::recede;
-            }
-            const auto q = quadratic{coefficient_a{}(m), h, coefficient_c{}(m)};
-            const double length2 = squared_norm(m.dx) + m.R * m.R;
-            const double discriminant = discriminant_halved{}(q);
-            const bool certain_c = std::fabs(q.c) > filter::c * length2;
-            const bool certain_d = std::fabs(discriminant) > filter::discriminant * (q.a * length2);
-            if (h < -h_bound && certain_c && (certain_d || q.c < 0) && detail::within_powers<450>(q.a) &&
-                detail::within_powers<450>(length2)) {
-                observer(stage::filter);
-                return q.c < 0 ? encounter::overlap : discriminant < 0 ? encounter::miss : encounter::hit;
-            }
+        if (const auto filtered = detail::filter_balls(a, b); filtered.certain) {
+            observer(stage::filter);
+            return filtered.what;
         }
     }
     observer(stage::exact);
-    return detail::classify_balls_exactly(a, b);
+    return detail::with_exact_balls(a, b, detail::exact_encounter{});
 }
 
 } // namespace graze

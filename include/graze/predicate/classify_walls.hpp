@@ -6,11 +6,11 @@
 
 namespace graze {
 
-// Whether a ball meets an infinite plane, exactly, for every finite input: recede, overlap or hit. Throws std::domain_error that
-// names the argument and the field when an input is not finite, the radius is negative or the normal is zero; in a
-// constant expression such input does not compile. Eq. (33), completed with the radius.
+// Whether a ball meets an infinite plane, exactly, for every finite input: recede, overlap or hit. Throws
+// std::domain_error that names the argument and the field when an input is not finite, the radius is negative or the
+// normal is zero; in a constant expression such input does not compile. Eq. (33), completed with the radius.
 template <int N, class T, class Observer = ignore_stage>
-    requires is_binary_input<T>
+requires is_binary_input<T>
 [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const plane<N, T>& p, Observer&& observer = {}) {
     return detail::with_certain_signs(b, p, observer, [](auto& signs) {
         return encounter_of([&] { return signs(plane_height{}) * signs(plane_speed{}); },
@@ -22,17 +22,17 @@ namespace detail {
 
 template <int N, class T, class Observer>
 [[nodiscard]] constexpr wall_encounter decide_wall(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer) {
-    return with_certain_signs(b, w, observer, [](auto& signs) {
-        return wall_decision<N, std::remove_cvref_t<decltype(signs)>>(signs)();
-    });
+    return with_certain_signs(
+        b, w, observer, [](auto& signs) { return wall_decision<N, std::remove_cvref_t<decltype(signs)>>(signs)(); });
 }
 
 } // namespace detail
 
-// Whether a ball meets a bounded wall, exactly, for every finite input: its face, an edge or a corner, whichever is first. Throws
-// as for a plane when an input is not finite, the radius is negative, an edge is zero or the edges are parallel.
+// Whether a ball meets a bounded wall, exactly, for every finite input: its face, an edge or a corner, whichever is
+// first. Throws as for a plane when an input is not finite, the radius is negative, an edge is zero or the edges are
+// parallel.
 template <int N, class T, class Observer = ignore_stage>
-    requires is_binary_input<T>
+requires is_binary_input<T>
 [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer = {}) {
     return detail::decide_wall(b, w, observer).what;
 }

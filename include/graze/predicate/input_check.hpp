@@ -23,11 +23,19 @@ namespace graze::detail {
 [[nodiscard]] constexpr bool plain_radius(const std::int64_t& r) noexcept { return r >= 0; }
 
 template <int N, class T>
-constexpr void require_finite(const vec<N, T>& x, const char* argument, const char* what) {
+[[nodiscard]] constexpr bool is_finite(const vec<N, T>& x) noexcept {
     for (int i = 0; i < N; ++i) {
         if (!is_finite_input(x[i])) {
-            reject(argument, what);
+            return false;
         }
+    }
+    return true;
+}
+
+template <int N, class T>
+constexpr void require_finite(const vec<N, T>& x, const char* argument, const char* what) {
+    if (!is_finite(x)) {
+        reject(argument, what);
     }
 }
 

@@ -10,13 +10,14 @@
 
 namespace graze::detail {
 
-// x as a double, with a relative error of at most 2u for a 64-bit integer and its differences, exact for the other inputs.
+// x as a double, with a relative error of at most 2u for a 64-bit integer and its differences, exact for the other
+// inputs.
 template <int B>
 [[nodiscard]] constexpr double to_double(const integer<B>& x) noexcept {
     static_assert(B <= 66);
     const integer<B> magnitude = x.is_negative() ? -x : x;
-    const double value =
-        static_cast<double>(magnitude.limb(1)) * 0x1p64 + static_cast<double>(magnitude.limb(0)); // one of them is small
+    const double value = static_cast<double>(magnitude.limb(1)) * 0x1p64 +
+                         static_cast<double>(magnitude.limb(0)); // one of them is small
     return x.is_negative() ? -value : value;
 }
 [[nodiscard]] constexpr double to_double(double x) noexcept { return x; }
@@ -58,8 +59,8 @@ template <int N, class T>
                           to_double(static_cast<difference_type<T>>(b.radius)));
 }
 
-// The same motions for error_bound, each vector against the scale that bounds its norm. Inputs of double and narrower types are
-// exact and their differences rounded once; what comes from 64-bit integers is rounded at most twice.
+// The same motions for error_bound, each vector against the scale that bounds its norm. Inputs of double and narrower
+// types are exact and their differences rounded once; what comes from 64-bit integers is rounded at most twice.
 template <class T>
 [[nodiscard]] consteval error_bound bounded_input(error_bound::degrees d, int roundings) {
     const int count = std::is_same_v<T, std::int64_t> ? 2 : roundings;
@@ -99,8 +100,8 @@ struct wall_bounds { // as any view sees it: w has up to N - 1 edges taken off
         for (auto& e : edge) {
             e = bounded_vector<N>(bounded_length<T>(0));
         }
-        return seen_from(wall_motion_of(bounded_vector<N>(bounded_length<T>(1)), bounded_vector<N>(bounded_velocity<T>(0)),
-                                        edge, bounded_length<T>(0)),
+        return seen_from(wall_motion_of(bounded_vector<N>(bounded_length<T>(1)),
+                                        bounded_vector<N>(bounded_velocity<T>(0)), edge, bounded_length<T>(0)),
                          wall_view{N == 2 ? 1 : 3, false});
     }
 };

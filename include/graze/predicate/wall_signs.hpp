@@ -44,8 +44,8 @@ template <int N, class T>
     return "wall";
 }
 
-// f(signs) for a ball b and a plane or wall s. Usable magnitudes are finite and not zero, so that only what is out of their
-// range, or has an odd radius, is looked at number by number.
+// f(signs) for a ball b and a plane or wall s. Usable magnitudes are finite and not zero, so that only what is out of
+// their range, or has an odd radius, is looked at number by number.
 template <int N, class T, class Shape, class Observer, class F>
 [[nodiscard]] constexpr auto with_certain_signs(const ball<N, T>& b, const Shape& s, Observer&& observer, F f) {
     using pair = decltype(pair_of(b, s));

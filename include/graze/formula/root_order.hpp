@@ -1,0 +1,68 @@
+// Which of two smaller roots is first, and whether one is before a given time, by signs of polynomials in the
+// coefficients: no square root, no division, no discriminant of either.
+#pragma once
+
+#include <graze/formula/quadratic.hpp>
+
+namespace graze {
+
+// The sign of t₁ - t₂ for the smaller roots of a_i t² + 2 h_i t + c_i, a_i > 0, h_i < 0, both real; exact where T is.
+// The coefficients may be scaled by any positive factor a quadratic, in one unit of time for both.
+//
+// With J = a₁h₂ - a₂h₁, G = a₁c₂ - a₂c₁ and K = h₁c₂ - h₂c₁ the resultant of the two is proportional to Res = G² - 4JK.
+// J = 0: the parabolas, scaled to one leading coefficient, have a common axis and the lower one has the earlier root.
+// Res < 0: the roots interlace and the order is that of the axes, sign J. Otherwise, taking J < 0 (the first axis is
+// the later one), the sign of A = a₁G - 2 J h₁, the second parabola's value where the first has its axis, tells whether
+// both roots of one are on the same side of both of the other.
+struct root_order {
+    template <class A, class H, class C, class B, class I, class E>
+    [[nodiscard]] constexpr int operator()(const quadratic<A, H, C>& x, const quadratic<B, I, E>& y) const {
+        const auto J = x.a * y.h - y.a * x.h;
+        const auto G = x.a * y.c - y.a * x.c;
+        const int sign_j = sign(J);
+        if (sign_j == 0) {
+            return -sign(G);
+        }
+        const auto K = x.h * y.c - y.h * x.c;
+        int resultant = 1; // free of charge when JK < 0
+        if (sign_j * sign(K) >= 0) {
+            resultant = sign(G * G - twice(twice(J * K)));
+            if (resultant < 0) {
+                return sign_j;
+            }
+        }
+        // Taken with the pair in the order in which J < 0: exchanged, J and G change sign.
+        const int side = sign_j < 0 ? sign(x.a * G - twice(J * x.h)) : -sign(y.a * G - twice(J * y.h));
+        if (side > 0) {
+            return sign_j;
+        }
+        if (side < 0) {
+            return resultant == 0 ? 0 : -sign_j;
+        }
+        return resultant > 0 ? sign_j : 0;
+    }
+};
+
+// The sign of τ - m for the smaller root τ of a t² + 2 h t + c, from the signs of the quadratic and of its slope at m.
+[[nodiscard]] constexpr int root_against(int sign_of_value, int sign_of_slope) {
+    return sign_of_value > 0 && sign_of_slope < 0 ? 1 : sign_of_value == 0 && sign_of_slope <= 0 ? 0 : -1;
+}
+
+// a m² + 2 h m + c and a m + h at m = numerator/denominator, denominator > 0, times denominator² and denominator.
+struct value_at {
+    template <class A, class H, class C, class M, class D>
+    [[nodiscard]] constexpr auto operator()(const quadratic<A, H, C>& q, const M& numerator,
+                                            const D& denominator) const {
+        return q.a * (numerator * numerator) + twice(q.h * (numerator * denominator)) +
+               q.c * (denominator * denominator);
+    }
+};
+struct slope_at {
+    template <class A, class H, class C, class M, class D>
+    [[nodiscard]] constexpr auto operator()(const quadratic<A, H, C>& q, const M& numerator,
+                                            const D& denominator) const {
+        return q.a * numerator + q.h * denominator;
+    }
+};
+
+} // namespace graze

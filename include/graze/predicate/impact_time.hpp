@@ -1,0 +1,85 @@
+// The exact time of a collision, as a value.
+#pragma once
+
+#include <graze/predicate/enclosure.hpp>
+#include <graze/predicate/event.hpp>
+#include <graze/predicate/stage.hpp>
+
+#include <compare>
+
+namespace graze {
+
+// The first time τ >= 0 at which a pair touches (0 for an overlap), counted from the instant at which positions are
+// given. A regular type: two are equal exactly when their times are, whatever met whatever. Comparisons look at an
+// enclosure in doubles first and at the inputs, which the value keeps, only when the enclosures overlap; they never
+// round, throw or allocate. Made by time_of_impact only. 152 bytes for N = 3 and doubles, 104 for N = 2.
+template <int N, class T = double>
+class impact_time {
+  public:
+    [[nodiscard]] friend constexpr std::strong_ordering operator<=>(const impact_time& x, const impact_time& y) {
+        return x.compare(y) <=> 0;
+    }
+    [[nodiscard]] friend constexpr bool operator==(const impact_time& x, const impact_time& y) {
+        return x.compare(y) == 0;
+    }
+
+    // Against a time in T; unordered with NaN.
+    [[nodiscard]] friend constexpr std::partial_ordering operator<=>(const impact_time& x, const T& time) {
+        return x.compare(time);
+    }
+    [[nodiscard]] friend constexpr bool operator==(const impact_time& x, const T& time) { return x.compare(time) == 0; }
+
+    // The sign of *this - y: -1, 0 or 1. The observer is told which stage decided.
+    template <class Observer = ignore_stage>
+    [[nodiscard]] constexpr int compare(const impact_time& y, Observer&& observer = {}) const {
+        if (bounds_.upper < y.bounds_.lower || bounds_.lower > y.bounds_.upper) {
+            observer(stage::filter);
+            return bounds_.upper < y.bounds_.lower ? -1 : 1;
+        }
+        if (bounds_.upper == 0 && y.bounds_.upper == 0) { // both touch or overlap now
+            observer(stage::filter);
+            return 0;
+        }
+        observer(stage::exact);
+        return detail::compare_exactly(event_, y.event_);
+    }
+
+  private:
+    template <int M, class U>
+    friend struct impact_time_access;
+
+    constexpr impact_time(const detail::event<N, T>& e, const detail::enclosure& bounds) noexcept
+        : event_(e), bounds_(bounds) {}
+
+    [[nodiscard]] constexpr std::partial_ordering compare(const T& time) const {
+        if (!is_finite_input(time)) {
+            return time < 0   ? std::partial_ordering::greater
+                   : time > 0 ? std::partial_ordering::less
+                              : std::partial_ordering::unordered;
+        }
+        const auto m = static_cast<double>(time);
+        if constexpr (!std::is_same_v<T, std::int64_t>) {
+            if (bounds_.upper < m) {
+                return std::partial_ordering::less;
+            }
+            if (bounds_.lower > m) {
+                return std::partial_ordering::greater;
+            }
+        }
+        return detail::compare_exactly(event_, to_binary(time)) <=> 0;
+    }
+
+    detail::event<N, T> event_;
+    detail::enclosure bounds_;
+};
+
+// How time_of_impact makes one.
+template <int N, class T>
+struct impact_time_access {
+    [[nodiscard]] static constexpr impact_time<N, T> make(const detail::event<N, T>& e,
+                                                          const detail::enclosure& bounds) noexcept {
+        return {e, bounds};
+    }
+};
+
+} // namespace graze

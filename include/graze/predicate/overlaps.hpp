@@ -1,0 +1,44 @@
+// Whether two things are inside each other now, whatever they do next.
+#pragma once
+
+#include <graze/predicate/classify_balls.hpp>
+#include <graze/predicate/classify_walls.hpp>
+
+namespace graze {
+
+// Whether |Δx|² < R², exactly. Touching is not overlapping. Throws as classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr bool overlaps(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
+    if (!std::is_constant_evaluated() && detail::plain_radius(a.radius) && detail::plain_radius(b.radius)) {
+        const auto m = detail::rounded_motion(a, b);
+        const double length2 = squared_norm(m.dx) + m.R * m.R;
+        const int s = certain_sign(coefficient_c{}(m), detail::ball_filter<N, T>::c * length2);
+        // Velocities have no part in the answer, but a bad one is still bad.
+        if (s != open && detail::within_powers<450>(length2) && detail::is_finite(a.velocity) &&
+            detail::is_finite(b.velocity)) {
+            observer(stage::filter);
+            return s < 0;
+        }
+    }
+    observer(stage::exact);
+    return detail::with_exact_balls(a, b, [](const auto& m) { return sign(coefficient_c{}(m)) < 0; });
+}
+
+// Whether the ball's centre is nearer to the plane than its radius, exactly. Throws as classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr bool overlaps(const ball<N, T>& b, const plane<N, T>& p, Observer&& observer = {}) {
+    return detail::with_certain_signs(b, p, observer, [](auto& signs) { return signs(plane_clearance{}) < 0; });
+}
+
+// Whether the ball's centre is nearer to the wall than its radius, exactly. Throws as classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr bool overlaps(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer = {}) {
+    return detail::with_certain_signs(b, w, observer, [](auto& signs) {
+        return wall_decision<N, std::remove_cvref_t<decltype(signs)>>(signs).overlaps();
+    });
+}
+
+} // namespace graze
