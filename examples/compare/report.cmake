@@ -18,4 +18,4 @@ add_library(compare_report STATIC
   ${CMAKE_CURRENT_LIST_DIR}/report/text.cpp)
 target_include_directories(compare_report PUBLIC ${CMAKE_CURRENT_LIST_DIR})
 target_compile_features(compare_report PUBLIC cxx_std_20)
-target_link_libraries(compare_report PRIVATE Boost::headers graze_warnings)
+target_link_libraries(compare_report PRIVATE compare_engine Boost::headers graze_warnings)

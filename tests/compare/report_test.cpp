@@ -21,6 +21,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 namespace {
 
@@ -119,8 +120,8 @@ TEST_CASE("every type and variant has a point with its name, and a line in a tab
     CHECK(count(wide, "<g class=\"point\">") == names.size());
     for (const auto& name : names) {
         CAPTURE(name);
-        CHECK(count(wide, "<title>" + name + ": ") == 1);
-        CHECK(count(html, ">" + name) + count(html, "★ " + name) >= found.groups.size());
+        CHECK(count(wide, std::string("<title>").append(name).append(": ")) == 1);
+        CHECK(count(html, name) > found.groups.size());
     }
 }
 
@@ -185,6 +186,8 @@ TEST_CASE("the picture alone is well-formed, small, and has its own dark colours
 
 TEST_CASE("the front holds what nothing beats, among those that decide right") {
     compare::results found;
+    found.groups.emplace_back().name = "g";
+    found.groups[0].pairs = 10;
     const auto add = [&](const char* type, double ns, double bits, std::size_t wrong) {
         compare::row r;
         r.type = type, r.variant = "halved", r.root = "stable", r.group = "g", r.nanoseconds = ns;
@@ -199,27 +202,31 @@ TEST_CASE("the front holds what nothing beats, among those that decide right") {
     add("as good and slower", 13, 50, 0);
     std::string front;
     for (const auto& c : candidates(found)) {
-        front += c.on_front ? c.type + "; " : "";
+        front.append(c.on_front ? c.type : "").append(c.on_front ? "; " : "");
     }
     CHECK(front == "quick; slower and better; ");
 }
 
 TEST_CASE("costs of groups are weighted by their pairs, errors are the worst") {
     compare::results found;
-    for (const auto& [group, pairs, ns, bits] : {std::tuple{"a", 1u, 100.0, 50.0}, std::tuple{"b", 3u, 20.0, 30.0}}) {
+    for (const auto& [group, pairs, ns, bits] :
+         {std::tuple{"a", std::size_t{1}, 100.0, 50.0}, std::tuple{"b", std::size_t{3}, 20.0, 30.0}}) {
+        found.groups.emplace_back().name = group;
+        found.groups.back().pairs = pairs;
         compare::row r;
         r.type = "t", r.variant = "halved", r.root = "stable", r.group = group, r.nanoseconds = ns;
         r.decisions.evaluated = pairs, r.decisions.overlap = 1;
         r.error(compare::quantity::crossing).count = 1, r.error(compare::quantity::crossing).fewest_bits = bits;
         found.rows.push_back(r);
     }
-    const auto both = candidates(found), one = candidates(found, {"a"});
+    const auto both = candidates(found), one = candidates(found, "a");
     REQUIRE(both.size() == 1);
-    CHECK(*both[0].nanoseconds == 40);
+    CHECK(both[0].nanoseconds == 40);
     CHECK(both[0].fewest_bits == 30);
     CHECK(both[0].wrong == 2);
     REQUIRE(one.size() == 1);
-    CHECK(*one[0].nanoseconds == 100);
+    CHECK(one[0].nanoseconds == 100);
+    CHECK(one[0].times == 1);
 }
 
 TEST_CASE("a file is written whole or not at all") {

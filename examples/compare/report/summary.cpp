@@ -1,22 +1,20 @@
 #include "summary.hpp"
 
+#include "../answer.hpp"
+
 #include <algorithm>
 #include <array>
-#include <tuple>
-#include <utility>
+#include <cmath>
 
 namespace compare::report {
 namespace {
 
-// The worse of two rows' times joins the candidate.
-void take_errors(candidate& c, const error_statistics& e) {
-    if (e.count == 0) {
-        return;
-    }
-    c.times += e.count;
-    const bool no_number = e.not_finite != 0 || e.unscaled != 0;
-    c.fewest_bits = std::min(c.fewest_bits, no_number ? -std::numeric_limits<double>::infinity() : e.fewest_bits);
-    c.median_bits = std::min(c.median_bits, e.median_bits);
+// The results of one group alone.
+[[nodiscard]] results only(const results& found, const std::string& group) {
+    results one = found;
+    std::erase_if(one.groups, [&](const group_information& g) { return g.name != group; });
+    std::erase_if(one.rows, [&](const row& r) { return r.group != group; });
+    return one;
 }
 
 void mark_front(std::vector<candidate>& all) {
@@ -46,33 +44,25 @@ const type_information* information_of(const results& found, const std::string& 
     return at == found.types.end() ? nullptr : &*at;
 }
 
-std::vector<candidate> candidates(const results& found, const std::vector<std::string>& groups) {
+std::vector<candidate> candidates(const results& found, const std::string& group) {
     std::vector<candidate> all;
-    std::vector<std::pair<double, double>> weighted; // nanoseconds × pairs, pairs
-    for (const auto& r : found.rows) {
-        if (!groups.empty() && std::ranges::find(groups, r.group) == groups.end()) {
+    for (const auto& o : overall_of(group.empty() ? found : only(found, group))) {
+        if (!o.complete) {
             continue;
         }
-        auto at = std::ranges::find_if(all, [&](const candidate& c) {
-            return std::tie(c.type, c.variant, c.root) == std::tie(r.type, r.variant, r.root);
-        });
-        if (at == all.end()) {
-            at = all.emplace(all.end());
-            at->type = r.type, at->variant = r.variant, at->root = r.root;
-            at->information = information_of(found, r.type);
-            weighted.emplace_back();
+        auto& c = all.emplace_back();
+        c.type = o.how.type, c.variant = o.how.variant, c.root = o.how.root;
+        c.information = information_of(found, c.type);
+        c.fewest_bits = o.fewest_bits;
+        if (std::isfinite(o.how.nanoseconds)) {
+            c.nanoseconds = o.how.nanoseconds;
         }
-        at->evaluated += r.decisions.evaluated;
-        at->wrong += r.decisions.wrong();
-        at->undecided += r.decisions.undecided;
-        take_errors(*at, r.error(quantity::time));
-        take_errors(*at, r.error(quantity::crossing));
-        if (r.nanoseconds) {
-            auto& [sum, pairs] = weighted[static_cast<std::size_t>(at - all.begin())];
-            const auto n = static_cast<double>(std::max<std::size_t>(r.decisions.evaluated, 1));
-            sum += *r.nanoseconds * n;
-            pairs += n;
-            at->nanoseconds = sum / pairs;
+        for (const auto& r : found.rows) {
+            if (r.type == c.type && r.variant == c.variant && r.root == c.root && (group.empty() || r.group == group)) {
+                c.wrong += r.decisions.wrong();
+                c.undecided += r.decisions.undecided;
+                c.times += r.error(quantity::time).count + r.error(quantity::crossing).count;
+            }
         }
     }
     mark_front(all);

@@ -4,7 +4,6 @@
 #include "../results.hpp"
 #include "picture.hpp"
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,13 +15,11 @@ struct candidate {
     std::string type, variant, root;
     const type_information* information = nullptr; // null where the results don't describe the type
     std::optional<double> nanoseconds;             // mean of the groups, weighted by their pairs; absent if untimed
-    std::size_t evaluated = 0, wrong = 0, undecided = 0;
-    std::size_t times = 0; // values of τ and of crossings that were measured
-    // Correct bits of the worst and of the middle time; infinite without any error. The middle one: the worst group's.
-    double fewest_bits = std::numeric_limits<double>::infinity();
-    double median_bits = std::numeric_limits<double>::infinity();
-    bool on_front = false; // among those without a wrong or open decision, if there are any, nothing is both cheaper
-                           // and better
+    std::size_t wrong = 0, undecided = 0;
+    std::size_t times = 0;  // values of τ and of crossings that were measured
+    double fewest_bits = 0; // correct bits of the worst of them; infinite without any error, or without any
+    bool on_front = false;  // among those without a wrong or open decision, if there are any, nothing is both cheaper
+                            // and better
 
     [[nodiscard]] bool decides_right() const { return wrong == 0 && undecided == 0; }
     [[nodiscard]] bool is_exact() const { return information != nullptr && information->is_exact; }
@@ -34,8 +31,8 @@ struct candidate {
 
 [[nodiscard]] const type_information* information_of(const results& found, const std::string& type);
 
-// All candidates over the groups named, or over all if none is named, in the order of the rows, the front marked.
-[[nodiscard]] std::vector<candidate> candidates(const results& found, const std::vector<std::string>& groups = {});
+// Those measured in every group, or in the one named, in the order of the rows, the front marked.
+[[nodiscard]] std::vector<candidate> candidates(const results& found, const std::string& group = {});
 
 // Whether this is the plain thing that a programmer writes first: double, b² - 4ac, the root as printed.
 [[nodiscard]] bool is_plain_double(const std::string& type, const std::string& variant, const std::string& root);

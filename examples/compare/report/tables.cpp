@@ -134,7 +134,7 @@ std::string matrix_table(const results& found) {
     if (found.groups.size() > 1) {
         for (const auto& g : found.groups) {
             heads.push_back(escaped(g.name));
-            columns.push_back(candidates(found, {g.name}));
+            columns.push_back(candidates(found, g.name));
         }
     }
     std::vector<std::vector<std::string>> rows;
