@@ -1,5 +1,5 @@
 # cmake -D ROOT=... -P names.cmake: what the reference calls a name of the library is one, and the page of the formulas
-# leaves out no header of theirs.
+# leaves out no header of theirs, nor that of the results a field.
 cmake_policy(VERSION 3.25)
 set(headers "")
 file(GLOB_RECURSE files "${ROOT}/include/*.hpp")
@@ -32,5 +32,18 @@ foreach(file IN LISTS files)
     string(FIND "${text}" "${file}" found)
     if(found EQUAL -1 AND NOT file MATCHES "^solve_|^solution")
         message(SEND_ERROR "docs/reference/formulas.md does not tell of graze/formula/${file}")
+    endif()
+endforeach()
+
+file(READ "${ROOT}/docs/reference/compare-json.md" text)
+file(STRINGS "${ROOT}/examples/compare/json_fields.hpp" fields REGEX " field\\(\"")
+if(NOT fields)
+    message(FATAL_ERROR "no field of the results was found")
+endif()
+foreach(field IN LISTS fields)
+    string(REGEX REPLACE ".*\"(.*)\".*" "\\1" field "${field}")
+    string(FIND "${text}" "`${field}`" found)
+    if(found EQUAL -1)
+        message(SEND_ERROR "docs/reference/compare-json.md does not tell of ${field}")
     endif()
 endforeach()
