@@ -1,0 +1,258 @@
+// graze-compare: what each number type costs and loses on the collisions of a scene.
+
+#include "answer.hpp"
+#include "default_scene.hpp"
+#include "diff.hpp"
+#include "families.hpp"
+#include "input_error.hpp"
+#include "json_results.hpp"
+#include "machine.hpp"
+#include "options.hpp"
+#include "pairs.hpp"
+#include "report.hpp"
+#include "run.hpp"
+#include "stopwatch.hpp"
+#include "table.hpp"
+#include "text_table.hpp"
+#include "whole_file.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <utility>
+
+namespace compare {
+
+namespace {
+
+constexpr int worse = 1, bad_input = 2, failure = 3;
+
+template <int N>
+group group_of(std::string name, std::string description, std::string hardness, std::vector<problem<N>> pairs,
+               std::size_t of) {
+    group_information information;
+    information.name = std::move(name);
+    information.description = std::move(description);
+    information.hardness_name = std::move(hardness);
+    information.pairs_of = of;
+    return make_group(std::move(information), std::move(pairs));
+}
+
+template <int N>
+group family_group(const std::string& name, std::vector<problem<N>> pairs) {
+    for (const family_description& f : family_list()) {
+        if (f.name == name) {
+            const std::size_t all = pairs.size();
+            return group_of(name, f.what_makes_it_hard, f.hardness_meaning, std::move(pairs), all);
+        }
+    }
+    throw std::logic_error("a family without a description: " + name);
+}
+
+std::vector<group> default_groups(const options& o) {
+    const scene_file file = read_scene_text(default_scene_text(), "the embedded scene", o.numbers);
+    std::vector<problem<2>> pairs = default_pairs(o.numbers, o.seed).pairs;
+    std::vector<group> groups;
+    for (auto first = pairs.begin(); first != pairs.end();) {
+        const auto last = std::find_if(first, pairs.end(), [&](const auto& p) { return p.group != first->group; });
+        const std::string name = first->group;
+        std::vector<problem<2>> part(std::make_move_iterator(first), std::make_move_iterator(last));
+        const std::size_t all = part.size();
+        groups.push_back(name == file.name ? group_of(name, file.description, "", std::move(part), all)
+                                           : family_group(name, std::move(part)));
+        first = last;
+    }
+    return groups;
+}
+
+std::vector<group> groups_of(const options& o) {
+    std::vector<group> groups;
+    if (!o.family.empty()) {
+        groups.push_back(o.dimension == 2 ? family_group(o.family, draw_family<2>(o.family, o.count, o.seed))
+                                          : family_group(o.family, draw_family<3>(o.family, o.count, o.seed)));
+    } else if (!o.scene.empty()) {
+        const scene_file file = read_scene(o.scene, o.numbers);
+        groups.push_back(std::visit(
+            [&]<int N>(const exact_scene<N>& scene) {
+                scene_pairs<N> drawn = pairs_of(scene, file.name, o.all ? every_pair : sample_size, o.seed);
+                if (drawn.pairs.empty()) {
+                    throw input_error(o.scene + ": no two things that could meet");
+                }
+                return group_of(file.name, file.description, "", std::move(drawn.pairs), drawn.total);
+            },
+            file.scene));
+    } else {
+        groups = default_groups(o);
+    }
+    return groups;
+}
+
+// In the order of the list, each once; another name stands for what it names.
+std::vector<measurable> types_of(const options& o) {
+    std::vector<measurable> all = all_types();
+    if (o.types.empty()) {
+        return all;
+    }
+    std::vector<std::string> wanted;
+    for (const std::string& name : o.types) {
+        const auto place =
+            std::find_if(all.begin(), all.end(), [&](const measurable& m) { return m.information.name == name; });
+        if (place == all.end()) {
+            throw input_error("--types: no number type \"" + printable(name) + "\"; --list-types names them");
+        }
+        const std::string& alias = place->information.alias_of;
+        wanted.push_back(alias.empty() ? name : alias);
+    }
+    std::vector<measurable> chosen;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [&](const measurable& m) {
+        return std::find(wanted.begin(), wanted.end(), m.information.name) != wanted.end();
+    });
+    return chosen;
+}
+
+// That a file could be written, before hours of measuring.
+void check_writable(const std::string& option, const std::string& path) {
+    namespace fs = std::filesystem;
+    if (path.empty()) {
+        return;
+    }
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+        throw input_error(option + " " + printable(path, 200) + ": is a directory");
+    }
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+        if (::access(path.c_str(), W_OK) != 0) {
+            throw input_error(option + " " + printable(path, 200) + ": cannot be written");
+        }
+        return;
+    }
+    const fs::path real = fs::weakly_canonical(path, error);
+    const fs::path folder = error ? fs::path() : real.parent_path();
+    if (!fs::is_directory(folder, error)) {
+        throw input_error(option + " " + printable(path, 200) + ": no such directory");
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw input_error(option + " " + printable(path, 200) + ": the directory cannot be written to");
+    }
+}
+
+void check_outputs(const options& o) {
+    check_writable("--json", o.json);
+    check_writable("--report", o.report);
+    std::error_code error;
+    if (!o.json.empty() && !o.report.empty() &&
+        std::filesystem::weakly_canonical(o.json, error) == std::filesystem::weakly_canonical(o.report, error)) {
+        throw input_error("--json and --report: the same file");
+    }
+}
+
+int run_comparison(const options& o) {
+    check_outputs(o);
+    const stopwatch watch;
+    results found;
+    const std::vector<measurable> types = types_of(o);
+    const std::vector<group> groups = groups_of(o);
+    found.command = o.command;
+    found.machine = this_machine();
+    found.source = !o.family.empty() ? "family " + o.family : !o.scene.empty() ? o.scene : "default";
+    found.as = o.numbers == number_input::exactly ? "exact" : "double";
+    found.seed = o.seed;
+    found.digits = o.digits;
+    found.missing = missing_types();
+    for (const group& g : groups) {
+        found.groups.push_back(g.information);
+    }
+    measurement_plan plan;
+    plan.methods = o.methods;
+    plan.every_pair = o.all;
+    measure_all(found, types, groups, plan, ::isatty(STDERR_FILENO) != 0);
+    draw_conclusions(found);
+    found.seconds = watch.seconds();
+    if (!o.json.empty()) {
+        write_whole_file(o.json, to_json(found));
+    }
+    if (!o.report.empty()) {
+        write_report(found, o.report);
+    }
+    std::cout << to_text(found, o.table);
+    return 0;
+}
+
+int run_diff(const options& o) {
+    const difference found = compare_results(read_results(o.old_results), read_results(o.new_results));
+    if (found.compared == 0) {
+        throw input_error(o.new_results + ": no row in common with " + o.old_results);
+    }
+    std::cout << to_text(found);
+    return found.worse.empty() ? 0 : worse;
+}
+
+void list_types() {
+    text_table table;
+    table.column("type", true);
+    table.column("library", true);
+    table.column("", true);
+    std::size_t distinct = 0;
+    for (const measurable& m : all_types()) {
+        const type_information& t = m.information;
+        distinct += t.alias_of.empty() ? 1 : 0;
+        table.line({t.name, t.library, t.alias_of.empty() ? t.note : "another name of " + t.alias_of});
+    }
+    std::cout << table.text() << distinct << " distinct types\n";
+    for (const missing_type& m : missing_types()) {
+        std::cout << "not in this build: " << m.name << " (" << m.reason << ")\n";
+    }
+}
+
+void list_families() {
+    for (const family_description& f : family_list()) {
+        std::cout << f.name << ": " << f.what_makes_it_hard;
+        std::cout << (f.has_hardness ? " k: " + f.hardness_meaning + "\n" : "\n");
+    }
+}
+
+int run(int argc, const char* const* argv) {
+    const options o = parse_options(argc, argv);
+    switch (o.what) {
+    case action::compare:
+        return run_comparison(o);
+    case action::diff:
+        return run_diff(o);
+    case action::list_types:
+        list_types();
+        break;
+    case action::list_families:
+        list_families();
+        break;
+    case action::help:
+        std::cout << o.help;
+        break;
+    }
+    return 0;
+}
+
+} // namespace
+
+} // namespace compare
+
+int main(int argc, char** argv) {
+    try {
+        const int code = compare::run(argc, argv);
+        std::cout.flush();
+        if (!std::cout) {
+            std::cerr << "graze-compare: the standard output cannot be written\n";
+            return compare::failure;
+        }
+        return code;
+    } catch (const compare::input_error& error) {
+        std::cerr << "graze-compare: " << error.what() << "\n";
+        return compare::bad_input;
+    } catch (const std::exception& error) {
+        std::cerr << "graze-compare: " << error.what() << "\n";
+        return compare::failure;
+    }
+}

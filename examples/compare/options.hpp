@@ -1,0 +1,39 @@
+// The command line.
+#pragma once
+
+#include "measurable.hpp"
+#include "scene_reader.hpp"
+#include "table.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace compare {
+
+enum class action { compare, diff, list_types, list_families, help };
+
+struct options {
+    action what = action::compare;
+    std::string help; // its text
+    std::string scene, family;
+    std::size_t count = 2000;
+    std::uint64_t seed = 1;
+    int dimension = 2; // of a family
+    number_input numbers = number_input::as_double;
+    bool all = false;
+    std::vector<std::string> types; // all, if empty
+    std::vector<method> methods;
+    table_options table;
+    int digits = 15;
+    std::string json, report;
+    std::string old_results, new_results; // of diff
+    std::string command;                  // as typed
+};
+
+// Throws input_error that names the option and what is wrong with it.
+[[nodiscard]] options parse_options(int argc, const char* const* argv);
+
+} // namespace compare
