@@ -22,7 +22,7 @@ class tree_builder final : public nlohmann::json_sax<json> {
     [[nodiscard]] json_node take() { return std::move(root_); }
 
     bool null() override { return leaf(json_type::null, {}); }
-    bool boolean(bool) override { return leaf(json_type::boolean, {}); }
+    bool boolean(bool value) override { return leaf(json_type::boolean, value ? "true" : "false"); }
     bool number_integer(std::int64_t value) override { return leaf(json_type::number, std::to_string(value)); }
     bool number_unsigned(std::uint64_t value) override { return leaf(json_type::number, std::to_string(value)); }
     bool number_float(long double, const std::string& raw) override { return leaf(json_type::number, raw); }

@@ -13,7 +13,7 @@ enum class json_type { null, boolean, number, string, array, object };
 
 struct json_node {
     json_type type = json_type::null;
-    std::string text;              // of a number or a string
+    std::string text;              // of a number, a string or a boolean
     std::vector<std::string> keys; // of an object, in the file's order, each once
     std::vector<json_node> items;  // of an array or an object
 };
