@@ -9,6 +9,7 @@
 #include <graze/predicate/rounded_motion.hpp>
 #include <graze/predicate/stage.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -23,60 +24,68 @@ struct halved_of_motion {
     }
 };
 
-// The constants of the three signs, each against the product of scales that has its degree: c against length², D
-// against length²·velocity², and h², whose root is taken away by squaring, against the same.
+// The constant of D, and of the two signs that are compared with the same product of scales: h² > K S, S = length²·velocity², is
+// more than |h| > K_h length·velocity, and a|c| > K S is |c| > K length².
 template <int N, class T>
 struct ball_filter {
     static constexpr double h = filter_constant(coefficient_h{}, ball_bounds<N, T>::value());
-    static constexpr double h_squared = h * h * error_bound_slack;
     static constexpr double c = filter_constant(coefficient_c{}, ball_bounds<N, T>::value());
     static constexpr double discriminant = filter_constant(halved_of_motion{}, ball_bounds<N, T>::value());
 
     static_assert(filter_degrees(coefficient_h{}, ball_bounds<N, T>::value()) == error_bound::degrees{1, 1, 0});
     static_assert(filter_degrees(coefficient_c{}, ball_bounds<N, T>::value()) == error_bound::degrees{2, 0, 0});
     static_assert(filter_degrees(halved_of_motion{}, ball_bounds<N, T>::value()) == error_bound::degrees{2, 2, 0});
+    static_assert(discriminant > 2 * h * h && discriminant > 2 * c, "one constant must serve all three signs");
 };
 
 // What the filter knows of a pair: the encounter if it is certain, and the numbers on which that rests.
 struct filtered_balls {
     bool certain = false;
-    encounter what = encounter::recede;
     double h = 0, c = 0, discriminant = 0;
     double length2 = 0; // |Δx|² + R²
     double scale = 0;   // |Δu|² length2
+
+    [[nodiscard]] encounter what() const noexcept {
+        if (h > 0) {
+            return encounter::recede;
+        }
+        const encounter apart = discriminant < 0 ? encounter::miss : encounter::hit;
+        return c < 0 ? encounter::overlap : apart;
+    }
 };
 
-// In [2^-450, 2^450) for |Δu|² and length2 no product over- or underflows, and what is flushed to zero is below 2^-120
-// of its scale. NaN and infinities are out of range.
+// The range. |Δu|² and length2 above 2^-450 keep what under- and overflow loses, or a mode flushes to zero, below 2^-120 of any
+// scale, and the scale below 2^1000 keeps h² and ac finite; a NaN or an infinity makes a comparison false. Conditions are joined
+// with & and not &&: one branch that is always taken costs less than several.
 template <int N, class T>
-[[nodiscard]] inline filtered_balls filter_balls(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+[[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a, const ball<N, T>& b) noexcept {
     using constant = ball_filter<N, T>;
     filtered_balls r;
     const auto m = rounded_motion(a, b);
     const auto q = quadratic_of(m);
-    const double velocity2 = q.a;
     r.h = q.h;
+    r.c = q.c;
     r.length2 = squared_norm(m.dx) + m.R * m.R;
-    r.scale = velocity2 * r.length2;
-    if (r.h * r.h > constant::h_squared * r.scale && within_powers<450>(velocity2) && within_powers<450>(r.length2) &&
-        plain_radius(a.radius) && plain_radius(b.radius)) {
-        if (r.h > 0) {
-            r.certain = true;
-            return r;
-        }
-        r.c = q.c;
-        r.discriminant = discriminant_halved{}(q);
-        const bool certain_c = std::fabs(r.c) > constant::c * r.length2;
-        const bool certain_d = std::fabs(r.discriminant) > constant::discriminant * r.scale;
-        r.certain = certain_c && (certain_d || r.c < 0);
-        r.what = r.c < 0 ? encounter::overlap : r.discriminant < 0 ? encounter::miss : encounter::hit;
+    r.scale = q.a * r.length2;
+    const double bound = constant::discriminant * r.scale;
+    const bool certain_h = r.h * r.h > bound;
+    const bool in_range = std::min(q.a, r.length2) > 0x1p-450;
+    if (!(certain_h & in_range & plain_radii(a.radius, b.radius))) [[unlikely]] {
+        return r;
     }
+    if (r.h > 0) {
+        r.certain = true;
+        return r;
+    }
+    r.discriminant = discriminant_halved{}(q);
+    const bool certain_c_and_d = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c)) > bound;
+    r.certain = certain_c_and_d & (r.scale < 0x1p1000);
     return r;
 }
 
 // f(motion) with the exact relative motion of two balls whose values have been checked.
 template <int N, class T, class F>
-[[nodiscard]] constexpr auto with_exact_balls(const ball<N, T>& a, const ball<N, T>& b, F f) {
+[[nodiscard, gnu::noinline]] constexpr auto with_exact_balls(const ball<N, T>& a, const ball<N, T>& b, F f) {
     check(a, "ball a");
     check(b, "ball b");
     return with_exact_motion<two_balls<N>>(lift_row<two_balls<N>>(two_balls<N>::pack(a, b)), f);
@@ -102,11 +111,11 @@ struct exact_encounter {
 // observer is told which stage decided. Eqs. (10) to (12), corrected.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard]] constexpr encounter classify(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
+[[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
     if (!std::is_constant_evaluated()) {
-        if (const auto filtered = detail::filter_balls(a, b); filtered.certain) {
+        if (const auto filtered = detail::filter_balls(a, b); filtered.certain) [[likely]] {
             observer(stage::filter);
-            return filtered.what;
+            return filtered.what();
         }
     }
     observer(stage::exact);

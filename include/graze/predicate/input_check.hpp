@@ -16,11 +16,15 @@ namespace graze::detail {
     throw std::domain_error(std::string(argument) + ": " + what);
 }
 
-// Whether a radius is finite and not negative, by its bits (-0 says no, to be looked at more closely).
-[[nodiscard]] constexpr bool plain_radius(const double& r) noexcept { return bits_of(r) < 0x7ff0000000000000U; }
-[[nodiscard]] constexpr bool plain_radius(const float& r) noexcept { return bits_of(r) < 0x7f800000U; }
-[[nodiscard]] constexpr bool plain_radius(const std::int32_t& r) noexcept { return r >= 0; }
-[[nodiscard]] constexpr bool plain_radius(const std::int64_t& r) noexcept { return r >= 0; }
+// Whether neither radius has its sign set, by their bits; -0 says no and is then looked at more closely.
+[[nodiscard]] constexpr bool plain_radii(const double& r, const double& s) noexcept {
+    return static_cast<std::int64_t>(bits_of(r) | bits_of(s)) >= 0;
+}
+[[nodiscard]] constexpr bool plain_radii(const float& r, const float& s) noexcept {
+    return static_cast<std::int32_t>(bits_of(r) | bits_of(s)) >= 0;
+}
+[[nodiscard]] constexpr bool plain_radii(const std::int32_t& r, const std::int32_t& s) noexcept { return (r | s) >= 0; }
+[[nodiscard]] constexpr bool plain_radii(const std::int64_t& r, const std::int64_t& s) noexcept { return (r | s) >= 0; }
 
 template <int N, class T>
 [[nodiscard]] constexpr bool is_finite(const vec<N, T>& x) noexcept {

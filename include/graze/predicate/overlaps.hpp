@@ -10,7 +10,7 @@ namespace graze {
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr bool overlaps(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
-    if (!std::is_constant_evaluated() && detail::plain_radius(a.radius) && detail::plain_radius(b.radius)) {
+    if (!std::is_constant_evaluated() && detail::plain_radii(a.radius, b.radius)) {
         const auto m = detail::rounded_motion(a, b);
         const double length2 = squared_norm(m.dx) + m.R * m.R;
         const int s = certain_sign(coefficient_c{}(m), detail::ball_filter<N, T>::c * length2);

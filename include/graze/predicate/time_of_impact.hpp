@@ -49,19 +49,20 @@ requires is_binary_input<T>
     if (!std::is_constant_evaluated()) {
         if (const auto f = detail::filter_balls(a, b); f.certain) {
             observer(stage::filter);
-            if (!is_collision(f.what)) {
+            const encounter what = f.what();
+            if (!is_collision(what)) {
                 return std::nullopt;
             }
-            if (f.what == encounter::overlap) {
-                return detail::make_time(event(f.what), {0, 0});
+            if (what == encounter::overlap) {
+                return detail::make_time(event(what), {0, 0});
             }
             using constant = detail::ball_filter<N, T>;
             const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
                                                 (constant::discriminant + constant::h) * f.scale);
             if (bounds.upper < std::numeric_limits<double>::infinity()) [[likely]] {
-                return detail::make_time(event(f.what), bounds);
+                return detail::make_time(event(what), bounds);
             }
-            return detail::enclosed_exactly(event(f.what));
+            return detail::enclosed_exactly(event(what));
         }
     }
     observer(stage::exact);
