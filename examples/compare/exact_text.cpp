@@ -111,10 +111,11 @@ exact parse_exact(std::string_view text) {
     }
     exact value;
     if (!hexadecimal && !whole.empty() && scan.take('/')) {
-        const exact_integer divisor = integer_of(scan.take_digits());
-        if (!scan.done()) {
+        const std::string_view below = scan.take_digits();
+        if (below.empty() || !scan.done()) {
             scan.fail("is not a fraction of two integers");
         }
+        const exact_integer divisor = integer_of(below);
         if (divisor.is_zero()) {
             scan.fail("has the denominator 0");
         }

@@ -273,7 +273,7 @@ std::string content_of(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) {
-        fail_to_read(path, error ? error.message() : "no such file");
+        fail_to_read(path, status.type() == std::filesystem::file_type::not_found ? "no such file" : error.message());
     }
     if (std::filesystem::is_directory(status)) {
         fail_to_read(path, "is a directory");

@@ -1,0 +1,121 @@
+// Exact values in other binary formats: against the C library for its types, and against MPFR's own rounding.
+#include "convert.hpp"
+#include "exact_text.hpp"
+
+#include "../../examples/families/random.hpp"
+
+#include <graze/number/float128.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <string>
+
+using namespace compare;
+namespace mp = boost::multiprecision;
+
+namespace {
+
+constexpr int many = 1000;
+
+// Decimals of up to 60 digits, with exponents below a limit.
+class decimals {
+  public:
+    std::string any(int exponents) {
+        return std::string(random_.one_in(2) ? "-" : "") + std::to_string(random_.next()) + "." +
+               std::to_string(random_.next()) + std::to_string(random_.next()) + "e" +
+               std::to_string(random_.in(-exponents, exponents));
+    }
+    long bits() { return random_.in(2, 400); }
+
+  private:
+    families::random random_{3};
+};
+
+using mpfr_50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;
+using bin_float_50 = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
+using bin_float_100 = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
+
+// All digits, hexadecimal.
+std::string text_of(mpfr_srcptr x) {
+    mpfr_exp_t exponent = 0;
+    char* digits = mpfr_get_str(nullptr, &exponent, 16, 0, x, MPFR_RNDN);
+    std::string result = std::string(digits) + "@" + std::to_string(exponent);
+    mpfr_free_str(digits);
+    return result;
+}
+
+// What MPFR reads from the decimal with that many bits.
+std::string by_mpfr(const std::string& text, long bits) {
+    mpfr_t x;
+    mpfr_init2(x, bits);
+    mpfr_set_str(x, text.c_str(), 10, MPFR_RNDN);
+    const std::string result = text_of(x);
+    mpfr_clear(x);
+    return result;
+}
+
+// An exact value that has at most that many bits.
+std::string exactly(const exact& value, long bits) {
+    const mp::number<mp::gmp_rational> rational(value);
+    mpfr_t x;
+    mpfr_init2(x, bits);
+    REQUIRE(mpfr_set_q(x, rational.backend().data(), MPFR_RNDN) == 0);
+    const std::string result = text_of(x);
+    mpfr_clear(x);
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("built-in types: as the C library reads the text") {
+    decimals source;
+    for (int i = 0; i < many; ++i) {
+        const std::string f = source.any(70), d = source.any(360), l = source.any(5000);
+        CAPTURE(f);
+        CAPTURE(d);
+        CAPTURE(l);
+        CHECK(convert<float>(parse_exact(f)) == std::strtof(f.c_str(), nullptr));
+        CHECK(convert<double>(parse_exact(d)) == std::strtod(d.c_str(), nullptr));
+        CHECK(convert<long double>(parse_exact(l)) == std::strtold(l.c_str(), nullptr));
+#if GRAZE_HAS_FLOAT128
+        CHECK((convert<__float128>(parse_exact(l)) == strtoflt128(l.c_str(), nullptr)));
+#endif
+    }
+}
+
+TEST_CASE("any binary format, and Boost's types: as MPFR rounds the text") {
+    decimals source;
+    for (int i = 0; i < many; ++i) {
+        const std::string text = source.any(300);
+        CAPTURE(text);
+        const exact value = parse_exact(text);
+        const long bits = source.bits();
+        const rounded_value r = round_to(value, {bits, -100'000, 100'000});
+        const exact_integer power = exact_integer(1) << static_cast<unsigned long>(std::labs(r.exponent));
+        const exact rounded =
+            r.exponent >= 0 ? exact(exact_integer(r.significand * power)) : exact(r.significand, power);
+        CHECK(exactly(r.negative ? exact(-rounded) : rounded, bits) == by_mpfr(text, bits));
+        CHECK(exactly(exact(convert<bin_float_50>(value)), std::numeric_limits<bin_float_50>::digits) ==
+              by_mpfr(text, std::numeric_limits<bin_float_50>::digits));
+        CHECK(exactly(exact(convert<bin_float_100>(value)), std::numeric_limits<bin_float_100>::digits) ==
+              by_mpfr(text, std::numeric_limits<bin_float_100>::digits));
+        const mpfr_50 x = convert<mpfr_50>(value);
+        REQUIRE(mpfr_get_prec(x.backend().data()) == std::numeric_limits<mpfr_50>::digits);
+        CHECK(text_of(x.backend().data()) == by_mpfr(text, std::numeric_limits<mpfr_50>::digits));
+    }
+}
+
+TEST_CASE("a vector and a whole ball") {
+    exact_ball<2> b;
+    b.shape.position = {{exact(1, 3), exact(2)}};
+    b.shape.velocity = {{exact(0), exact(-1, 10)}};
+    b.shape.radius = exact(1, 7);
+    const graze::ball<2, float> f = convert<float>(b);
+    CHECK(f.position[0] == 1.0F / 3.0F);
+    CHECK(f.position[1] == 2.0F);
+    CHECK(f.velocity[1] == -0.1F);
+    CHECK(f.radius == 1.0F / 7.0F);
+}

@@ -1,0 +1,16 @@
+# Runs GENERATOR into OUTPUT and compares what it writes with the files in SCENES.
+file(REMOVE_RECURSE "${OUTPUT}")
+file(MAKE_DIRECTORY "${OUTPUT}")
+execute_process(COMMAND "${GENERATOR}" "${OUTPUT}" COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB kept RELATIVE "${SCENES}" "${SCENES}/*.json")
+file(GLOB written RELATIVE "${OUTPUT}" "${OUTPUT}/*.json")
+if(NOT kept OR NOT "${kept}" STREQUAL "${written}")
+    message(FATAL_ERROR "the generator writes '${written}', kept are '${kept}'")
+endif()
+foreach(name IN LISTS kept)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files "${SCENES}/${name}" "${OUTPUT}/${name}"
+        RESULT_VARIABLE differs)
+    if(differs)
+        message(FATAL_ERROR "${name} is not what the generator writes")
+    endif()
+endforeach()
