@@ -13,8 +13,8 @@ enum class variant { textbook, halved, kahan, lagrange };
 struct discriminant_textbook { // 4D
     template <class A, class H, class C>
     [[nodiscard]] constexpr auto operator()(const quadratic<A, H, C>& q) const {
-        const auto b = twice(q.h);
-        return b * b - twice(twice(q.a * q.c));
+        const auto b = graze::twice(q.h);
+        return b * b - graze::twice(graze::twice(q.a * q.c));
     }
 };
 

@@ -67,7 +67,7 @@ struct centre_crossing_time {
 struct plane_touch_time {
     template <class K, class V, class S>
     [[nodiscard]] constexpr auto operator()(const K& height, const V& speed, const S& reach) const {
-        return (sign(height) < 0 ? -(height + reach) : reach - height) / speed;
+        return (graze::sign(height) < 0 ? -(height + reach) : reach - height) / speed;
     }
 };
 

@@ -19,20 +19,21 @@ struct root_order {
     [[nodiscard]] constexpr int operator()(const quadratic<A, H, C>& x, const quadratic<B, I, E>& y) const {
         const auto J = x.a * y.h - y.a * x.h;
         const auto G = x.a * y.c - y.a * x.c;
-        const int sign_j = sign(J);
+        const int sign_j = graze::sign(J);
         if (sign_j == 0) {
-            return -sign(G);
+            return -graze::sign(G);
         }
         const auto K = x.h * y.c - y.h * x.c;
         int resultant = 1; // free of charge when JK < 0
-        if (sign_j * sign(K) >= 0) {
-            resultant = sign(G * G - twice(twice(J * K)));
+        if (sign_j * graze::sign(K) >= 0) {
+            resultant = graze::sign(G * G - graze::twice(graze::twice(J * K)));
             if (resultant < 0) {
                 return sign_j;
             }
         }
         // Taken with the pair in the order in which J < 0: exchanged, J and G change sign.
-        const int side = sign_j < 0 ? sign(x.a * G - twice(J * x.h)) : -sign(y.a * G - twice(J * y.h));
+        const int side =
+            sign_j < 0 ? graze::sign(x.a * G - graze::twice(J * x.h)) : -graze::sign(y.a * G - graze::twice(J * y.h));
         if (side > 0) {
             return sign_j;
         }
@@ -53,7 +54,7 @@ struct value_at {
     template <class A, class H, class C, class M, class D>
     [[nodiscard]] constexpr auto operator()(const quadratic<A, H, C>& q, const M& numerator,
                                             const D& denominator) const {
-        return q.a * (numerator * numerator) + twice(q.h * (numerator * denominator)) +
+        return q.a * (numerator * numerator) + graze::twice(q.h * (numerator * denominator)) +
                q.c * (denominator * denominator);
     }
 };

@@ -13,7 +13,7 @@ enum class root_form { printed, stable };
 struct root_printed {
     template <class A, class B, class S>
     [[nodiscard]] constexpr auto operator()(const A& a, const B& b, const S& root) const {
-        return (-b - root) / twice(a);
+        return (-b - root) / graze::twice(a);
     }
 };
 

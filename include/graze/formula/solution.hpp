@@ -71,9 +71,10 @@ template <root_form F, class T>
         return real(T(root_of_graze{}(q.a, q.h)));
     }
     if constexpr (F == root_form::printed) {
-        return root_printed{}(real(q.a), real(T(twice(q.h))), root(T(twice(twice(discriminant)))));
+        return root_printed{}(real(q.a), real(T(graze::twice(q.h))),
+                              graze::root(T(graze::twice(graze::twice(discriminant)))));
     } else {
-        return root_stable{}(real(q.c), real(q.h), root(discriminant));
+        return root_stable{}(real(q.c), real(q.h), graze::root(discriminant));
     }
 }
 

@@ -15,7 +15,8 @@ requires field_number<T> && has_variant<V, T>
     const auto m = relative_motion_of(a, b);
     const quadratic<T, T, T> q = quadratic_of(m);
     s.discriminant = detail::discriminant_by<V, T>(q, [&] { return T(discriminant_lagrange{}(m)); });
-    s.what = encounter_of([&] { return sign(q.h); }, [&] { return sign(q.c); }, [&] { return sign(s.discriminant); });
+    s.what = encounter_of([&] { return graze::sign(q.h); }, [&] { return graze::sign(q.c); },
+                          [&] { return graze::sign(s.discriminant); });
     if (!is_collision(s.what)) {
         return s;
     }
@@ -24,9 +25,9 @@ requires field_number<T> && has_variant<V, T>
     }
     s.position_a = position_at(detail::as<real>(a.position), detail::as<real>(a.velocity), s.time); // (13)
     s.position_b = position_at(detail::as<real>(b.position), detail::as<real>(b.velocity), s.time);
-    const bool touches = sign(m.R) != 0;
+    const bool touches = graze::sign(m.R) != 0;
     if (s.what == encounter::overlap) {
-        s.normal = contact_normal(detail::as<real>(m.dx), root(T(squared_norm(m.dx))));
+        s.normal = contact_normal(detail::as<real>(m.dx), graze::root(T(squared_norm(m.dx))));
     } else if (touches) {
         const vec<N, real> dx = position_at(detail::as<real>(m.dx), detail::as<real>(m.du), s.time);
         s.normal = contact_normal(dx, real(m.R)); // (20)

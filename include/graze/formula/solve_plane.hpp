@@ -15,20 +15,20 @@ requires field_number<T>
     const auto m = relative_motion_of(b, p);
     const T height = plane_height{}(m);
     const T speed = plane_speed{}(m);
-    s.what = encounter_of([&] { return sign(height) * sign(speed); }, [&] { return sign(T(plane_clearance{}(m))); },
-                          [] { return 1; });
+    s.what = encounter_of([&] { return graze::sign(height) * graze::sign(speed); },
+                          [&] { return graze::sign(T(plane_clearance{}(m))); }, [] { return 1; });
     if (!is_collision(s.what)) {
         return s;
     }
-    const real length = root(T(squared_norm(m.n)));
+    const real length = graze::root(T(squared_norm(m.n)));
     if (s.what == encounter::hit) {
         s.time = plane_touch_time{}(real(height), real(speed), real(m.r) * length); // (33) completed
     }
     s.position = position_at(detail::as<real>(b.position), detail::as<real>(b.velocity), s.time);
-    s.normal = contact_normal(detail::as<real>(m.n), real(sign(height) < 0 ? -length : length));
+    s.normal = contact_normal(detail::as<real>(m.n), real(graze::sign(height) < 0 ? -length : length));
     const real above = s.what == encounter::hit
                            ? real(m.r)
-                           : real(sign(height) < 0 ? T(-height) : height) / length; // the centre's distance
+                           : real(graze::sign(height) < 0 ? T(-height) : height) / length; // the centre's distance
     s.point = position_at(s.position, s.normal, real(-above));
     s.velocity = reflected_unnormalised(detail::as<real>(b.velocity), detail::as<real>(m.n));
     return s;

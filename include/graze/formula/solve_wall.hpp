@@ -15,15 +15,15 @@ class direct_signs {
 
     template <class F>
     [[nodiscard]] constexpr int operator()(wall_view view, F f) const {
-        return sign(T(f(seen_from(m_, view))));
+        return graze::sign(T(f(seen_from(m_, view))));
     }
     template <class P, class Q, class D>
     [[nodiscard]] constexpr int root(wall_view view, P p, Q q, D d, int flip) const {
         const auto m = seen_from(m_, view);
         if constexpr (has_sqrt<T>) {
             const T radicand = d(m);
-            const T term = T(q(m)) * square_root(sign(radicand) < 0 ? T(0) : radicand);
-            return sign(flip < 0 ? T(T(p(m)) - term) : T(T(p(m)) + term));
+            const T term = T(q(m)) * graze::square_root(graze::sign(radicand) < 0 ? T(0) : radicand);
+            return graze::sign(flip < 0 ? T(T(p(m)) - term) : T(T(p(m)) + term));
         } else {
             return sign_of_root_sum(T(p(m)), T(flip < 0 ? T(-q(m)) : T(q(m))), T(d(m)));
         }
@@ -36,10 +36,10 @@ class direct_signs {
         return discriminant_by<V, T>(quadratic_of(corner), [&] { return T(discriminant_lagrange{}(corner)); });
     }
     [[nodiscard]] constexpr int edge_discriminant(wall_view view) const {
-        return sign(discriminant_of_edge(seen_from(m_, view)));
+        return graze::sign(discriminant_of_edge(seen_from(m_, view)));
     }
     [[nodiscard]] constexpr int corner_discriminant(wall_view view) const {
-        return sign(discriminant_of_corner(seen_from(m_, view)));
+        return graze::sign(discriminant_of_corner(seen_from(m_, view)));
     }
 
   private:
@@ -98,12 +98,12 @@ requires field_number<T> && has_variant<V, T>
     const vec<N, real> apart = s.position - s.point;
     if (inside) {
         if constexpr (has_sqrt<T>) {
-            s.normal = contact_normal(apart, root(T(squared_norm(apart))));
+            s.normal = contact_normal(apart, graze::root(T(squared_norm(apart))));
         } else {
-            s.normal = contact_normal(apart, root(T(squared_norm(apart).p()))); // τ = 0: rational
+            s.normal = contact_normal(apart, graze::root(T(squared_norm(apart).p()))); // τ = 0: rational
         }
     } else {
-        s.normal = sign(b.radius) != 0 ? contact_normal(apart, real(b.radius)) : detail::zero_vector<N, real>();
+        s.normal = graze::sign(b.radius) != 0 ? contact_normal(apart, real(b.radius)) : detail::zero_vector<N, real>();
     }
     s.velocity = s.what == encounter::graze ? u : reflected(u, s.normal);
     return s;

@@ -13,15 +13,15 @@ namespace graze {
 // types.
 template <number P, number Q, number D>
 [[nodiscard]] constexpr int sign_of_root_sum(const P& p, const Q& q, const D& d) {
-    const int sign_p = sign(p);
-    const int sign_q = sign(d) == 0 ? 0 : sign(q);
+    const int sign_p = graze::sign(p);
+    const int sign_q = graze::sign(d) == 0 ? 0 : graze::sign(q);
     if (sign_p == sign_q || sign_q == 0) {
         return sign_p;
     }
     if (sign_p == 0) {
         return sign_q;
     }
-    return sign_p * sign(p * p - q * q * d); // opposite signs: the larger of p² and q²d decides
+    return sign_p * graze::sign(p * p - q * q * d); // opposite signs: the larger of p² and q²d decides
 }
 
 // p + q√d with d >= 0. Two of them combine when they have the same d or when one has q = 0; otherwise
@@ -126,7 +126,7 @@ using root_type = typename detail::root_of<T>::type;
 template <number T>
 [[nodiscard]] constexpr root_type<T> root(const T& x) {
     if constexpr (has_sqrt<T>) {
-        return square_root(x);
+        return graze::square_root(x);
     } else {
         return root_type<T>(T(0), T(1), x);
     }
