@@ -93,6 +93,7 @@ struct piece {
 
 struct answer {
     encounter what = encounter::recede;
+    bool overlaps = false;    // nearer than at contact now, whatever comes next
     std::optional<surd> time; // of a collision, in the inputs' unit
     // Which features are met at that time; of a recede or an overlap: which are closest now. Walls only.
     bool face = false;
@@ -122,7 +123,8 @@ inline answer encounter_of(const std::vector<piece>& pieces, bool is_point, bool
     if (closest == nullptr) {
         throw std::logic_error("oracle: no piece holds now");
     }
-    if (closest->h >= 0 || closest->c < 0) {
+    found.overlaps = closest->c < 0;
+    if (closest->h >= 0 || found.overlaps) {
         found.what = closest->h >= 0 ? encounter::recede : encounter::overlap;
         for (const piece& p : pieces) {
             if (p.holds_now() && p.c * closest->k == closest->c * p.k) {
