@@ -1,0 +1,49 @@
+// One block of pairs of every family, decided by the library and by the oracle.
+#pragma once
+
+#include "more_families.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace soak {
+
+// All of the examples' families and those of the tests.
+inline constexpr auto families_drawn = [] {
+    std::array<families::family, families::all_families.size() + families::more_families.size()> all{};
+    std::size_t n = 0;
+    for (const auto& f : families::all_families) {
+        all[n++] = f;
+    }
+    for (const auto& f : families::more_families) {
+        all[n++] = f;
+    }
+    return all;
+}();
+
+// What was seen of one family in one dimension.
+struct tally {
+    std::uint64_t pairs = 0, exact = 0, wrong = 0;
+    std::array<std::uint64_t, 5> encounters{};
+    std::uint64_t orders = 0, exact_orders = 0, ties = 0, wrong_orders = 0;
+
+    tally& operator+=(const tally& other);
+};
+
+// families_drawn[i]'s.
+using tallies = std::array<tally, families_drawn.size()>;
+
+// Draws pairs number first to first + count - 1 of every family in N dimensions, and compares classify, overlaps,
+// time_of_impact, the order of times and their order against doubles with the oracle. A pair decided wrongly is
+// described in `complaints`.
+template <int N>
+void run_block(std::uint64_t seed, std::uint64_t first, std::uint64_t count, tallies& seen,
+               std::vector<std::string>& complaints);
+
+extern template void run_block<2>(std::uint64_t, std::uint64_t, std::uint64_t, tallies&, std::vector<std::string>&);
+extern template void run_block<3>(std::uint64_t, std::uint64_t, std::uint64_t, tallies&, std::vector<std::string>&);
+
+} // namespace soak

@@ -1,0 +1,3 @@
+#include "block.hpp"
+
+template void soak::run_block<3>(std::uint64_t, std::uint64_t, std::uint64_t, tallies&, std::vector<std::string>&);
