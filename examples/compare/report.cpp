@@ -6,10 +6,13 @@
 #include "report/summary.hpp"
 #include "report/tables.hpp"
 #include "report/text.hpp"
+#include "report/words.hpp"
 #include "whole_file.hpp"
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 
 namespace compare {
 namespace {
@@ -35,6 +38,7 @@ class page {
     void figure(const std::function<std::string(format)>& picture, const std::string& nothing);
     void panels(const std::function<std::string(const group_information&)>& picture);
     void key();
+    void section(const std::string& id, const std::string& head, const std::function<void()>& content);
     void pictures();
     void tables();
 };
@@ -79,16 +83,13 @@ void page::made() {
 }
 
 void page::head() {
-    add("<header>\n<h1>What number types cost, and what they lose</h1>\n<p class=\"under\">Collisions of balls with "
-        "balls and "
-        "walls: " +
+    add("<header>\n<h1>What number types cost, and what they lose</h1>\n");
+    add("<p class=\"under\">Collisions of balls with balls and walls: " +
         escaped(found_.source == "default" ? "the default scene and families" : found_.source) + "</p>\n");
     add("<p class=\"answer\">" + escaped(found_.sentence) + "</p>\n");
     made();
-    add("<nav><a href=\"#speed\">Speed and error</a> <a href=\"#digits\">Digits</a> <a "
-        "href=\"#decisions\">Decisions</a> "
-        "<a href=\"#distribution\">Distribution</a> <a href=\"#hardness\">Hardness</a> <a "
-        "href=\"#tables\">Tables</a></nav>\n</header>\n");
+    add(words::navigation);
+    add("</header>\n");
 }
 
 void page::figure(const std::function<std::string(format)>& picture, const std::string& nothing) {
@@ -135,50 +136,38 @@ void page::key() {
     add("</ul>\n");
 }
 
-void page::pictures() {
-    add("<section id=\"speed\"><h2>Speed against error</h2>\n<p>Each point is one number type with one form of the "
-        "discriminant and of the "
-        "root. Further left is faster, further down is more exact; the lowest line has no error at all. The green "
-        "staircase joins "
-        "the best of those that decided every pair right. Point at or touch a mark to read its name.</p>\n");
-    figure([&](format f) { return speed_picture(found_, f); }, "Nothing was timed.");
-    add("</section>\n<section id=\"digits\"><h2>Digits wanted, and what they cost</h2>\n<p>The cheapest that decides "
-        "every pair right and whose every "
-        "time is right to so many decimal digits, over all groups. The table has each group by itself.</p>\n");
-    figure([&](format f) { return matrix_picture(found_, f); }, "No type was good enough, or nothing was timed.");
-    add("<details><summary>Digits wanted, by group</summary>\n" + matrix_table(found_) + "</details>\n</section>\n");
-    add("<section id=\"decisions\"><h2>Wrong decisions</h2>\n<p>How many pairs a type took for a hit that was a miss, "
-        "for overlapping, for approaching, "
-        "or the other way round. Amber: left open, by a type that says so. What has no line "
-        "here decided every pair right.</p>\n");
-    figure([&](format f) { return decisions_picture(found_, f); }, "Every type and variant decided every pair right.");
-    add("</section>\n<section id=\"distribution\"><h2>How the errors are distributed</h2>\n<p>Which share of the times "
-        "of impact, of pairs decided right, "
-        "has at most which error, in units of the last place of a double. Left and up is better; left of the dashed "
-        "line a time "
-        "rounds to the right double.</p>\n");
-    key();
-    panels([&](const group_information& g) { return distribution_picture(found_, g); });
-    add("</section>\n<section id=\"hardness\"><h2>Error against hardness</h2>\n<p>Bits that the worst pair loses, of "
-        "those that the type has, as pairs get "
-        "harder. Grey is what the conditioning of the problem explains: what rounding the inputs alone would lose. A "
-        "line "
-        "above the grey is the formula's fault, a line in it the problem's, and a line ends where no decision was "
-        "right.</p>\n");
-    key();
-    add("<h3>The time of impact</h3>\n");
-    panels([&](const group_information& g) { return hardness_picture(found_, g, quantity::time); });
-    add("<h3>The discriminant</h3>\n");
-    panels([&](const group_information& g) { return hardness_picture(found_, g, quantity::discriminant); });
+void page::section(const std::string& id, const std::string& head, const std::function<void()>& content) {
+    add("<section id=\"" + id + "\">" + head);
+    content();
     add("</section>\n");
 }
 
+void page::pictures() {
+    section("speed", words::speed,
+            [&] { figure([&](format f) { return speed_picture(found_, f); }, "Nothing was timed."); });
+    section("digits", words::digits, [&] {
+        figure([&](format f) { return matrix_picture(found_, f); }, "No type was good enough, or nothing was timed.");
+        add("<details><summary>Digits wanted, by group</summary>\n" + matrix_table(found_) + "</details>\n");
+    });
+    section("decisions", words::decisions, [&] {
+        figure([&](format f) { return decisions_picture(found_, f); },
+               "Every type and variant decided every pair right.");
+    });
+    section("distribution", words::distribution, [&] {
+        key();
+        panels([&](const group_information& g) { return distribution_picture(found_, g); });
+    });
+    section("hardness", words::hardness, [&] {
+        key();
+        add("<h3>The time of impact</h3>\n");
+        panels([&](const group_information& g) { return hardness_picture(found_, g, quantity::time); });
+        add("<h3>The discriminant</h3>\n");
+        panels([&](const group_information& g) { return hardness_picture(found_, g, quantity::discriminant); });
+    });
+    section("tables", words::tables, [&] { tables(); });
+}
+
 void page::tables() {
-    add("<section id=\"tables\"><h2>Tables</h2>\n<p>Errors are the largest ones, the median in parentheses, in units "
-        "of the last place that the exact "
-        "value has as a double. Momentum and energy: the largest relative change over an impact. A star marks the best "
-        "of a "
-        "group: nothing is both faster and better.</p>\n");
     for (const auto& g : found_.groups) {
         add("<details><summary>" + escaped(g.name) + ": every type and variant</summary>\n" + rows_table(found_, g) +
             "</details>\n");
@@ -191,12 +180,11 @@ void page::tables() {
         }
     }
     add("<details><summary>The groups</summary>\n" + groups_table(found_) + "</details>\n");
-    add("<details><summary>The number types</summary>\n" + types_table(found_) + "</details>\n</section>\n");
+    add("<details><summary>The number types</summary>\n" + types_table(found_) + "</details>\n");
 }
 
 std::string page::html() {
     pictures();
-    tables();
     const std::string rest = std::move(body_);
     body_.clear();
     head();
@@ -204,15 +192,8 @@ std::string page::html() {
         add("<p class=\"notice\"><strong>This report has no pictures:</strong> " + escaped(*no_pictures_) +
             ". The tables below are complete.</p>\n");
     }
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-           "content=\"width=device-width, "
-           "initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>graze: " +
-           escaped(found_.source) + "</title>\n<style>\n" + style() + "</style>\n</head>\n<body>\n<main>\n" + body_ +
-           rest +
-           "</main>\n<script>for(const n of['click','mouseover'])addEventListener(n,e=>{const "
-           "p=e.target.closest('.point'),"
-           "o=p&&p.closest('figure').querySelector('output');if(o)o.textContent=p.firstChild.textContent})</script>\n</"
-           "body>\n</html>\n";
+    return std::string(words::before_title) + "<title>graze: " + escaped(found_.source) + "</title>\n<style>\n" +
+           style() + "</style>\n</head>\n<body>\n<main>\n" + body_ + rest + words::after_all;
 }
 
 } // namespace

@@ -186,11 +186,11 @@ TEST_CASE("the picture alone is well-formed, small, and has its own dark colours
 
 TEST_CASE("the front holds what nothing beats, among those that decide right") {
     compare::results found;
-    found.groups.emplace_back().name = "g";
+    found.groups.emplace_back().name = "group";
     found.groups[0].pairs = 10;
     const auto add = [&](const char* type, double ns, double bits, std::size_t wrong) {
         compare::row r;
-        r.type = type, r.variant = "halved", r.root = "stable", r.group = "g", r.nanoseconds = ns;
+        r.type = type, r.variant = "halved", r.root = "stable", r.group = "group", r.nanoseconds = ns;
         r.decisions.evaluated = 10, r.decisions.hit_or_miss = wrong;
         r.error(compare::quantity::time).count = 5, r.error(compare::quantity::time).fewest_bits = bits;
         found.rows.push_back(r);
@@ -255,10 +255,10 @@ TEST_CASE("numbers for people") {
     CHECK(readable(1e300) == "1.0·10³⁰⁰");
     CHECK(readable(std::numeric_limits<double>::infinity()) == "∞");
     CHECK(readable(std::optional<double>()) == "–");
-    CHECK(readable_time(0.25) == "250 ps");
-    CHECK(readable_time(18.2) == "18.2 ns");
-    CHECK(readable_time(2200) == "2.2 µs");
-    CHECK(readable_time(5e6) == "5 ms");
+    CHECK(readable_time(0.25) == "250\u00a0ps");
+    CHECK(readable_time(18.2) == "18.2\u00a0ns");
+    CHECK(readable_time(2200) == "2.2\u00a0µs");
+    CHECK(readable_time(5e6) == "5\u00a0ms");
     CHECK(readable_count(1234) == "1234");
     CHECK(readable_count(124750) == "124\u2009750");
     CHECK(counted(1, "pair", "pairs") == "1 pair");

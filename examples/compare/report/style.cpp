@@ -94,12 +94,11 @@ thead th { color: var(--muted); font-weight: 500; vertical-align: bottom; border
 @media print {
   main { max-width: none; padding: 0; }
   body { font-size: 10.5pt; }
-  nav, output, script { display: none; }
+  nav, output, .pointing { display: none; }
   h2, h3, summary { break-after: avoid; }
   figure, .panels > div, tr { break-inside: avoid; }
   table { font-size: 7pt; }
-  .figures td { white-space: normal; }
-  details::details-content { content-visibility: visible; block-size: auto; display: block; }
+  .figures small { display: block; }
   svg * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )";

@@ -92,12 +92,12 @@ std::string readable(const std::optional<double>& value) { return value ? readab
 std::string readable_time(double nanoseconds) {
     const double size = std::fabs(nanoseconds);
     if (size < 1) {
-        return readable(nanoseconds * 1e3) + " ps";
+        return readable(nanoseconds * 1e3) + "\u00a0ps";
     }
     if (size < 1e3) {
-        return readable(nanoseconds) + " ns";
+        return readable(nanoseconds) + "\u00a0ns";
     }
-    return size < 1e6 ? readable(nanoseconds / 1e3) + " µs" : readable(nanoseconds / 1e6) + " ms";
+    return size < 1e6 ? readable(nanoseconds / 1e3) + "\u00a0µs" : readable(nanoseconds / 1e6) + "\u00a0ms";
 }
 
 std::string readable_count(unsigned long long count) {

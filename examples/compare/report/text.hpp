@@ -17,7 +17,7 @@ namespace compare::report {
 // The same, or a dash where there is no value.
 [[nodiscard]] std::string readable(const std::optional<double>& value);
 
-// "812 ps", "12.4 ns", "3.1 µs", "2.2 ms".
+// "812 ps", "12.4 ns", "3.1 µs", "2.2 ms", the space not to be broken.
 [[nodiscard]] std::string readable_time(double nanoseconds);
 
 // With thin spaces: "12 345".
