@@ -52,15 +52,17 @@ struct frame {
     std::int64_t length;
 };
 
-// From a random complex number squared or a random quaternion (Euler's and Rodrigues' parameters).
+// From a random complex number squared or a random quaternion (Euler's and Rodrigues' parameters), of odd norm, so that
+// no axis is even.
 template <int N>
 [[nodiscard]] constexpr frame<N> random_frame(random& r) {
     if constexpr (N == 2) {
-        const std::int64_t x = r.in(1, 45), y = r.signed_bits(5) + r.signed_bits(3);
+        const std::int64_t x = r.in(1, 45), y = r.either_sign(2 * r.in(1, 19) - (x + 1) % 2);
         const std::int64_t real = x * x - y * y, imaginary = 2 * x * y;
         return {{{{real, imaginary}, {-imaginary, real}}}, x * x + y * y};
     } else {
-        const std::int64_t w = r.in(1, 31), x = r.signed_bits(5), y = r.signed_bits(5), z = r.signed_bits(5);
+        const std::int64_t x = r.signed_bits(5), y = r.signed_bits(5), z = r.signed_bits(5);
+        const std::int64_t w = 2 * r.in(1, 15) + (x + y + z + 1) % 2;
         return {{{{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
                   {2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
                   {2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z}}},

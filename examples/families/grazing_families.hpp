@@ -27,8 +27,14 @@ template <int N>
     random r(seed, index);
     const passage<N> p = random_passage<N>(r, 48);
     pair_of_doubles<N> pair = balls<N>(r, {p.start, random_speed(r, p, 51), p.distance});
-    if (index % 2 == 1) {
-        nudge_one(r, pair.a);
+    if (index % 2 == 1) { // a component that is not square to the foot, or the radius
+        auto i = r.below(N);
+        while (p.foot[i] == 0) {
+            i = (i + 1) % N;
+        }
+        const auto at = static_cast<int>(i);
+        const auto which = r.below(3);
+        nudge(r, which == 0 ? pair.a.position[at] : which == 1 ? pair.a.velocity[at] : pair.a.radius);
     }
     return pair;
 }
@@ -97,9 +103,10 @@ template <int N>
     return balls<N>(r, m);
 }
 
-// Even indices: grazes to within 2^-k, k from 40 to 56, of which the differences x_a - x_b and u_a - u_b have more than
-// 53 bits, so that rounding them moves the path. Odd ones: positions and velocities with a common part 2^k, k from 1 to
-// 45, times as large as their differences: what is computed from a position or a velocity itself loses k bits.
+// Even indices: grazes to within 2^-k, k from 40 to 56, of which the differences x_a - x_b and u_a - u_b mostly have
+// more than 53 bits, so that rounding them moves the path. Odd ones: positions and velocities with a common part 2^k, k
+// from 1 to 45, times as large as their differences: what is computed from a position or a velocity itself loses k
+// bits.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> common_part(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

@@ -59,12 +59,15 @@ std::string by_mpfr(const std::string& text, long bits) {
 
 // An exact value that has at most that many bits.
 std::string exactly(const exact& value, long bits) {
-    const mp::number<mp::gmp_rational> rational(value);
+    mpq_t rational;
+    mpq_init(rational);
+    REQUIRE(mpq_set_str(rational, value.str().c_str(), 10) == 0);
     mpfr_t x;
     mpfr_init2(x, bits);
-    REQUIRE(mpfr_set_q(x, rational.backend().data(), MPFR_RNDN) == 0);
+    REQUIRE(mpfr_set_q(x, rational, MPFR_RNDN) == 0);
     const std::string result = text_of(x);
     mpfr_clear(x);
+    mpq_clear(rational);
     return result;
 }
 
