@@ -42,14 +42,14 @@ std::tuple<double, double> badness(const row& r) {
 
 void mark_front(results& found) {
     for (row& r : found.rows) {
-        r.on_front = r.nanoseconds.has_value() &&
-                     std::none_of(found.rows.begin(), found.rows.end(), [&](const row& other) {
-                         if (other.group != r.group || !other.nanoseconds) {
-                             return false;
-                         }
-                         const bool as_good = badness(other) <= badness(r) && *other.nanoseconds <= *r.nanoseconds;
-                         return as_good && (badness(other) < badness(r) || *other.nanoseconds < *r.nanoseconds);
-                     });
+        r.on_front =
+            r.nanoseconds.has_value() && std::none_of(found.rows.begin(), found.rows.end(), [&](const row& other) {
+                if (other.group != r.group || !other.nanoseconds) {
+                    return false;
+                }
+                const bool as_good = badness(other) <= badness(r) && *other.nanoseconds <= *r.nanoseconds;
+                return as_good && (badness(other) < badness(r) || *other.nanoseconds < *r.nanoseconds);
+            });
     }
 }
 
@@ -57,7 +57,7 @@ template <class Good>
 std::optional<choice> cheapest(const std::vector<overall>& candidates, Good good) {
     std::optional<choice> best;
     for (const overall& o : candidates) {
-        if (o.complete && good(o) && (!best || o.how.nanoseconds < best->nanoseconds)) {
+        if (o.complete && o.how.nanoseconds < infinity && good(o) && (!best || o.how.nanoseconds < best->nanoseconds)) {
             best = o.how;
         }
     }
@@ -78,6 +78,10 @@ std::string in_words(const choice& c) {
 
 std::string sentence_of(const results& found) {
     std::ostringstream out;
+    const auto timed = [](const row& r) { return r.nanoseconds.has_value(); };
+    if (std::none_of(found.rows.begin(), found.rows.end(), timed)) {
+        return "Nothing was timed, so that no type is the cheapest.";
+    }
     const std::string wanted = std::to_string(found.digits) + (found.digits == 1 ? " digit" : " digits");
     if (found.good_enough) {
         out << "The cheapest type with no wrong decision and every time good to " << wanted << " here is "

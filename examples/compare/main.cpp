@@ -29,7 +29,7 @@ namespace compare {
 
 namespace {
 
-constexpr int worse = 1, bad_input = 2, failure = 3;
+constexpr int worse = 1, failed = 2;
 
 template <int N>
 group group_of(std::string name, std::string description, std::string hardness, std::vector<problem<N>> pairs,
@@ -169,6 +169,7 @@ int run_comparison(const options& o) {
     measurement_plan plan;
     plan.methods = o.methods;
     plan.every_pair = o.all;
+    plan.timing_seconds = o.timing;
     measure_all(found, types, groups, plan, ::isatty(STDERR_FILENO) != 0);
     draw_conclusions(found);
     found.seconds = watch.seconds();
@@ -245,14 +246,11 @@ int main(int argc, char** argv) {
         std::cout.flush();
         if (!std::cout) {
             std::cerr << "graze-compare: the standard output cannot be written\n";
-            return compare::failure;
+            return compare::failed;
         }
         return code;
-    } catch (const compare::input_error& error) {
-        std::cerr << "graze-compare: " << error.what() << "\n";
-        return compare::bad_input;
     } catch (const std::exception& error) {
         std::cerr << "graze-compare: " << error.what() << "\n";
-        return compare::failure;
+        return compare::failed;
     }
 }

@@ -3,10 +3,13 @@
 
 #include "group.hpp"
 #include "results.hpp"
+#include "score.hpp"
 
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/roots.hpp>
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace compare {
@@ -25,14 +28,29 @@ struct method {
 struct measurement_plan {
     std::vector<method> methods;  // measured where the type can run them
     double scoring_seconds = 2.0; // for all methods of a type in a group; an exact type that takes longer stops early
-    double timing_seconds = 0.5;  // the same for its times; aimed at, not kept by types that take milliseconds a pair
+    double timing_seconds = 0.5;  // the same for its times; aimed at, not kept by types that take milliseconds a pair;
+                                  // 0: nothing is timed
     bool every_pair = false;      // no limit on scoring
 };
 
-// One number type. measure appends the rows of a group, without the names of type and group.
+// Solves the pairs of one group, converted to what it computes in beforehand, by each method that it has.
+class solver {
+  public:
+    virtual ~solver() = default;
+    [[nodiscard]] virtual std::vector<method> methods() const = 0;
+    // Solves the first `count` pairs by methods()[how] and forgets the solutions.
+    virtual void run(std::size_t how, std::size_t count) = 0;
+    // Solves one and reads the solution. right: what it should be.
+    [[nodiscard]] virtual answer answer_to(std::size_t how, std::size_t pair, const truth& right) = 0;
+};
+
+// One number type, or another way to solve pairs.
 struct measurable {
     type_information information;
-    void (*measure)(const group& pairs, const measurement_plan& plan, std::vector<row>& rows) = nullptr;
+    std::unique_ptr<solver> (*prepare)(const group& pairs) = nullptr; // null where the type is another's name
 };
+
+// A row for each method that was asked for, but for the names of type and group.
+[[nodiscard]] std::vector<row> measure(const measurable& type, const group& pairs, const measurement_plan& plan);
 
 } // namespace compare

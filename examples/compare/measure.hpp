@@ -4,12 +4,9 @@
 #include "convert.hpp"
 #include "measurable.hpp"
 #include "reader.hpp"
-#include "score.hpp"
-#include "stopwatch.hpp"
 
 #include <graze/formula/solve.hpp>
 
-#include <algorithm>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -200,90 +197,55 @@ class forgetting_sink final : public solution_sink<N, T> {
 };
 
 template <int N, class T>
-class group_measurement {
+class formula_solver final : public solver {
   public:
-    group_measurement(const group_pairs<N>& pairs, const measurement_plan& plan) : pairs_(pairs), plan_(plan) {
-        inputs_.reserve(pairs.problems.size());
-        for (const problem<N>& pair : pairs.problems) {
+    explicit formula_solver(const std::vector<problem<N>>& problems) {
+        inputs_.reserve(problems.size());
+        for (const problem<N>& pair : problems) {
             inputs_.push_back(convert_pair<T>(pair));
         }
+        add<graze::variant::textbook>();
+        add<graze::variant::halved>();
+        if constexpr (graze::has_variant<graze::variant::kahan, T>) {
+            add<graze::variant::kahan>();
+        }
+        add<graze::variant::lagrange>();
     }
 
-    void operator()(std::vector<row>& rows) {
-        with_methods<graze::variant::textbook, graze::variant::halved, graze::variant::kahan,
-                     graze::variant::lagrange>();
-        for (const candidate& c : candidates_) {
-            rows.push_back(scored(c));
-        }
-        const std::vector<timing> times = time_interleaved(timed_, plan_.timing_seconds);
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            row& measured = rows[rows.size() - times.size() + i];
-            measured.nanoseconds = times[i].median;
-            measured.nanoseconds_low = times[i].low;
-            measured.nanoseconds_high = times[i].high;
-            measured.timed_pairs = times[i].pairs;
-            measured.repeats = times[i].repeats;
-        }
+    [[nodiscard]] std::vector<method> methods() const override { return methods_; }
+
+    void run(std::size_t how, std::size_t count) override { solve_[how](inputs_.data(), count, *forgetting_); }
+
+    [[nodiscard]] answer answer_to(std::size_t how, std::size_t pair, const truth& right) override {
+        answering_sink<N, T> sink(right);
+        const outcome ended = solve_[how](&inputs_[pair], 1, sink);
+        sink.given.how = ended;
+        return std::move(sink.given);
     }
 
   private:
-    struct candidate {
-        method how;
-        outcome (*solve)(const input<N, T>*, std::size_t, solution_sink<N, T>&) = nullptr;
-    };
+    using solve_function = outcome (*)(const input<N, T>*, std::size_t, solution_sink<N, T>&);
 
-    template <graze::variant... V>
-    void with_methods() {
-        (with_method<V, graze::root_form::printed>(), ...);
-        (with_method<V, graze::root_form::stable>(), ...);
+    template <graze::variant V>
+    void add() {
+        methods_.push_back({V, graze::root_form::printed});
+        solve_.push_back(&solve_pairs<V, graze::root_form::printed, N, T>);
+        methods_.push_back({V, graze::root_form::stable});
+        solve_.push_back(&solve_pairs<V, graze::root_form::stable, N, T>);
     }
 
-    template <graze::variant V, graze::root_form F>
-    void with_method() {
-        if constexpr (graze::has_variant<V, T>) {
-            const method how{V, F};
-            if (std::find(plan_.methods.begin(), plan_.methods.end(), how) != plan_.methods.end()) {
-                const auto solve = &solve_pairs<V, F, N, T>;
-                candidates_.push_back({how, solve});
-                timed_.push_back({[this, solve](std::size_t count) { solve(inputs_.data(), count, *forgetting_); },
-                                  inputs_.size()});
-            }
-        }
-    }
-
-    row scored(const candidate& c) const {
-        row result;
-        result.variant = to_string(c.how.variant);
-        result.root = to_string(c.how.root);
-        const bool limited = graze::number_traits<T>::is_exact && !plan_.every_pair;
-        const double limit = plan_.scoring_seconds / static_cast<double>(candidates_.size());
-        const stopwatch since_start;
-        row_score score;
-        for (std::size_t i = 0; i < inputs_.size(); ++i) {
-            if (limited && since_start.seconds() > limit) {
-                break;
-            }
-            const truth& right = pairs_.truths[i];
-            answering_sink<N, T> sink(right);
-            const outcome how = c.solve(&inputs_[i], 1, sink);
-            sink.given.how = how;
-            score.add(sink.given, right, pairs_.problems[i].hardness);
-        }
-        score.write_to(result);
-        return result;
-    }
-
-    const group_pairs<N>& pairs_;
-    const measurement_plan& plan_;
     std::vector<input<N, T>> inputs_;
-    std::vector<candidate> candidates_;
-    std::vector<timed_candidate> timed_;
+    std::vector<method> methods_;
+    std::vector<solve_function> solve_;
     std::unique_ptr<solution_sink<N, T>> forgetting_ = std::make_unique<forgetting_sink<N, T>>();
 };
 
 template <class T>
-void measure(const group& pairs, const measurement_plan& plan, std::vector<row>& rows) {
-    std::visit([&]<int N>(const group_pairs<N>& p) { group_measurement<N, T>(p, plan)(rows); }, pairs.pairs);
+[[nodiscard]] std::unique_ptr<solver> prepare(const group& pairs) {
+    if (const auto* plane = std::get_if<group_pairs<2>>(&pairs.pairs)) {
+        return std::make_unique<formula_solver<2, T>>(plane->problems);
+    }
+    return std::make_unique<formula_solver<3, T>>(std::get<group_pairs<3>>(pairs.pairs).problems);
 }
 
 // What the traits say of T, ready to be completed.
@@ -301,7 +263,7 @@ template <class T>
     information.real_bytes = sizeof(graze::root_type<T>);
     information.uses_heap = uses_heap;
     information.note = note;
-    return {information, &measure<T>};
+    return {information, &prepare<T>};
 }
 
 } // namespace compare

@@ -91,11 +91,13 @@ options parse_options(int argc, const char* const* argv) {
     app.add_option("--digits", o.digits, "Decimal digits of the time that you want")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
+    app.add_option("--timing", o.timing, "Seconds to spend on a type's times in a group; 0: nothing is timed")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 3600.0));
     app.add_option("--json", o.json, "Write everything to this file");
     app.add_option("--report", o.report, "Write a report in HTML to this file");
     app.add_flag("--list-types", list_types, "What there is to measure, and what this build lacks");
     app.add_flag("--list-families", list_families, "What there is to draw");
-    app.option_defaults()->always_capture_default(false);
     CLI::App* diff =
         app.add_subcommand("diff", "What got better, worse or stayed between two --json files; exit code 1 "
                                    "when a decision or an error got worse");

@@ -28,6 +28,7 @@ struct options {
     std::vector<method> methods;
     table_options table;
     int digits = 15;
+    double timing = 0.5;
     std::string json, report;
     std::string old_results, new_results; // of diff
     std::string command;                  // as typed

@@ -18,7 +18,8 @@ template <class T>
 requires std::is_floating_point_v<T>
 struct reader<T> {
     [[nodiscard]] static computed read(T x, const true_value&) {
-        return std::isfinite(x) ? computed(wide(x)) : computed(not_finite{});
+        using widest = std::conditional_t<std::is_same_v<T, float>, double, T>;
+        return std::isfinite(x) ? computed(wide_of(static_cast<widest>(x))) : computed(not_finite{});
     }
 };
 
@@ -26,8 +27,8 @@ template <class T>
 struct reader<graze::sqrt_extension<T>> {
     using real = graze::sqrt_extension<T>;
     [[nodiscard]] static computed read(const real& x, const true_value& right) {
-        const auto part = [&](const T& y) { return std::get<exact_real>(reader<T>::read(y, right)).p(); };
-        return exact_real(part(x.p()), part(x.q()), part(x.d()));
+        const computed p = reader<T>::read(x.p(), right), q = reader<T>::read(x.q(), right);
+        return with_root(p, q, reader<T>::read(x.d(), right));
     }
     static void settle(const real& x) requires requires(const T& y) { reader<T>::settle(y); }
     {

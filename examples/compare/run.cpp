@@ -1,6 +1,7 @@
 #include "run.hpp"
 
 #include <cstdio>
+#include <utility>
 
 namespace compare {
 
@@ -37,14 +38,13 @@ void measure_all(results& found, const std::vector<measurable>& types, const std
             const std::size_t all = types.size() * groups.size();
             line.show("measuring " + type.information.name + " on " + pairs.information.name + " (" +
                       std::to_string(100 * done++ / all) + "%)");
-            if (type.measure == nullptr) {
+            if (type.prepare == nullptr) {
                 continue;
             }
-            const std::size_t first = found.rows.size();
-            type.measure(pairs, plan, found.rows);
-            for (std::size_t i = first; i < found.rows.size(); ++i) {
-                found.rows[i].type = type.information.name;
-                found.rows[i].group = pairs.information.name;
+            for (row& measured : measure(type, pairs, plan)) {
+                measured.type = type.information.name;
+                measured.group = pairs.information.name;
+                found.rows.push_back(std::move(measured));
             }
         }
     }

@@ -62,7 +62,8 @@ std::optional<double> row_score::add_scalar(quantity which, const computed& give
         sample(which).add_not_finite();
         return std::numeric_limits<double>::infinity();
     }
-    if (const interval* between = std::get_if<interval>(&given); between != nullptr && !encloses(*between, right)) {
+    if (const interval* between = std::get_if<interval>(&given.value());
+        between != nullptr && !encloses(*between, right)) {
         ++not_enclosed_;
     }
     return sample(which).add(*apart, abs(right.value()), rounds_correctly(given, right));
@@ -77,7 +78,7 @@ void row_score::add_vector(quantity which, const std::vector<computed>& given, c
             sample(which).add_not_finite();
             return;
         }
-        if (const interval* between = std::get_if<interval>(&given[i]);
+        if (const interval* between = std::get_if<interval>(&given[i].value());
             between != nullptr && !encloses(*between, right[i])) {
             ++not_enclosed_;
         }
@@ -90,7 +91,7 @@ void row_score::add_vector(quantity which, const std::vector<computed>& given, c
 }
 
 void row_score::add_width(const computed& given, const true_value& right) {
-    if (const interval* between = std::get_if<interval>(&given)) {
+    if (const interval* between = std::get_if<interval>(&given.value())) {
         width_.add(between->high - between->low, abs(right.value()), false);
     }
 }
@@ -104,10 +105,10 @@ void row_score::add_conservation(const answer& given, const truth& right) {
     bool exact_answer = true;
     for (std::size_t i = 0; i < given.velocities.size(); ++i) {
         const computed& v = given.velocities[i];
-        if (std::holds_alternative<interval>(v) || std::holds_alternative<not_finite>(v)) {
+        if (std::holds_alternative<interval>(v.value()) || std::holds_alternative<not_finite>(v.value())) {
             return;
         }
-        exact_answer = exact_answer && std::holds_alternative<exact_real>(v) &&
+        exact_answer = exact_answer && std::holds_alternative<exact_real>(v.value()) &&
                        distance(v, right.velocities[i]) == std::optional<wide>(wide(0));
     }
     const auto dimension = static_cast<std::size_t>(before.dimension);

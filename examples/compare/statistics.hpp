@@ -9,7 +9,8 @@
 
 namespace compare {
 
-// The smallest of the sorted values that at least the share of them do not exceed. values is not empty, 0 <= share <= 1.
+// The smallest of the sorted values that at least the share of them do not exceed. values is not empty, 0 <= share
+// <= 1.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
 
 // Sorts values.

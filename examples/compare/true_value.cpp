@@ -3,10 +3,26 @@
 #include "rounding.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace compare {
 
 namespace mp = boost::multiprecision;
+
+computed::computed(wide x) : value_(std::move(x)) {}
+computed::computed(exact_real x) : value_(std::move(x)) {}
+computed::computed(interval x) : value_(std::move(x)) {}
+computed::computed(not_finite x) : value_(x) {}
+computed::computed(const computed& other) = default;
+computed::computed(computed&& other) noexcept = default;
+computed& computed::operator=(const computed& other) = default;
+computed& computed::operator=(computed&& other) noexcept = default;
+computed::~computed() = default;
+
+computed with_root(const computed& p, const computed& q, const computed& d) {
+    const auto rational = [](const computed& x) { return std::get<exact_real>(x.value()).p(); };
+    return exact_real(rational(p), rational(q), rational(d));
+}
 
 namespace {
 
@@ -104,17 +120,17 @@ wide certified(const wide& difference, const true_value& t) {
 } // namespace
 
 std::optional<wide> distance(const computed& x, const true_value& t) {
-    if (const wide* number = std::get_if<wide>(&x)) {
+    if (const wide* number = std::get_if<wide>(&x.value())) {
         return certified(*number - t.value(), t);
     }
-    if (const exact_real* real = std::get_if<exact_real>(&x)) {
+    if (const exact_real* real = std::get_if<exact_real>(&x.value())) {
         if (equal(*real, t.exactly())) {
             return wide(0);
         }
         root_memory roots;
         return certified(to_wide(*real, roots) - t.value(), t);
     }
-    if (const interval* between = std::get_if<interval>(&x)) {
+    if (const interval* between = std::get_if<interval>(&x.value())) {
         const wide low = certified(between->low - t.value(), t), high = certified(between->high - t.value(), t);
         return low > high ? low : high;
     }
@@ -122,17 +138,17 @@ std::optional<wide> distance(const computed& x, const true_value& t) {
 }
 
 bool rounds_correctly(const computed& x, const true_value& t) {
-    if (const wide* number = std::get_if<wide>(&x)) {
+    if (const wide* number = std::get_if<wide>(&x.value())) {
         return nearest_double(*number) == t.nearest();
     }
-    if (const exact_real* real = std::get_if<exact_real>(&x)) {
+    if (const exact_real* real = std::get_if<exact_real>(&x.value())) {
         if (equal(*real, t.exactly())) {
             return true;
         }
         root_memory roots;
         return true_value(*real, roots).nearest() == t.nearest();
     }
-    if (const interval* between = std::get_if<interval>(&x)) {
+    if (const interval* between = std::get_if<interval>(&x.value())) {
         return nearest_double(between->low) == t.nearest() && nearest_double(between->high) == t.nearest();
     }
     return false;
@@ -147,14 +163,14 @@ bool encloses(const interval& x, const true_value& t) {
 }
 
 wide middle(const computed& x) {
-    if (const wide* number = std::get_if<wide>(&x)) {
+    if (const wide* number = std::get_if<wide>(&x.value())) {
         return *number;
     }
-    if (const exact_real* real = std::get_if<exact_real>(&x)) {
+    if (const exact_real* real = std::get_if<exact_real>(&x.value())) {
         root_memory roots;
         return to_wide(*real, roots);
     }
-    if (const interval* between = std::get_if<interval>(&x)) {
+    if (const interval* between = std::get_if<interval>(&x.value())) {
         return (between->low + between->high) / wide(2);
     }
     return std::numeric_limits<wide>::quiet_NaN();

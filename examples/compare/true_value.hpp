@@ -53,7 +53,30 @@ struct not_finite {};
 struct interval {
     wide low, high;
 };
-using computed = std::variant<wide, exact_real, interval, not_finite>;
+
+// Its members are not inline, so that they are compiled once and not in every number type's translation unit.
+class computed {
+  public:
+    using value_type = std::variant<wide, exact_real, interval, not_finite>;
+
+    computed(wide x);
+    computed(exact_real x);
+    computed(interval x);
+    computed(not_finite x);
+    computed(const computed& other);
+    computed(computed&& other) noexcept;
+    computed& operator=(const computed& other);
+    computed& operator=(computed&& other) noexcept;
+    ~computed();
+
+    [[nodiscard]] const value_type& value() const noexcept { return value_; }
+
+  private:
+    value_type value_;
+};
+
+// p + q√d of rational p, q and d.
+[[nodiscard]] computed with_root(const computed& p, const computed& q, const computed& d);
 
 // |x - t|, of an interval that of its farther end; 0 exactly when x is t. Certified: a relative error below 2^-100,
 // or, where x agrees with an irrational t to 2^-780, that much of t as an upper bound. Empty when x is not finite.

@@ -8,7 +8,7 @@
 
 namespace compare {
 
-// From the cheapest to the dearest, more or less. An alias has no measure function.
+// From the cheapest to the dearest, more or less. Another name of a type has no solver.
 [[nodiscard]] std::vector<measurable> all_types();
 
 // Those whose library was not there when the program was built.

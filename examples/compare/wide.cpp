@@ -11,6 +11,10 @@ namespace mp = boost::multiprecision;
 
 wide to_wide(const exact& x) { return wide(numerator(x)) / wide(denominator(x)); }
 
+wide wide_of(double x) { return wide(x); }
+
+wide wide_of(long double x) { return wide(x); }
+
 bool is_wide(const exact& x) {
     const auto below = denominator(x);
     if (lsb(below) != msb(below)) {

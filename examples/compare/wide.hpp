@@ -24,6 +24,10 @@ using wide = boost::multiprecision::number<
 // Whether to_wide(x) is x.
 [[nodiscard]] bool is_wide(const exact& x);
 
+// The value of a finite double or long double, exactly.
+[[nodiscard]] wide wide_of(double x);
+[[nodiscard]] wide wide_of(long double x);
+
 // floor(log2|x|) for x != 0.
 [[nodiscard]] long exponent_of(const wide& x);
 
@@ -39,8 +43,8 @@ using wide = boost::multiprecision::number<
 // The exact value.
 [[nodiscard]] exact to_exact(const wide& x);
 
-// The value of a finite binary number of a built-in type, exactly: taken apart in pieces of 32 bits, for types that wide
-// has no constructor for.
+// The value of a finite binary number of a built-in type, exactly: taken apart in pieces of 32 bits, for types that
+// wide has no constructor for.
 template <class T>
 [[nodiscard]] wide taken_apart(T x) {
     const T large = T(65536) * T(65536);

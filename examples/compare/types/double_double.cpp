@@ -18,7 +18,7 @@ template <>
 struct reader<dd_real> {
     [[nodiscard]] static computed read(const dd_real& x, const true_value&) {
         const bool finite = std::isfinite(x.x[0]) && std::isfinite(x.x[1]);
-        return finite ? computed(wide(wide(x.x[0]) + wide(x.x[1]))) : computed(not_finite{});
+        return finite ? computed(wide(wide_of(x.x[0]) + wide_of(x.x[1]))) : computed(not_finite{});
     }
 };
 

@@ -23,7 +23,9 @@ namespace compare {
     return mpz_sgn(x) < 0 ? exact_integer(-result) : result;
 }
 
-[[nodiscard]] inline exact rational_of(mpq_srcptr x) { return exact(integer_of(mpq_numref(x)), integer_of(mpq_denref(x))); }
+[[nodiscard]] inline exact rational_of(mpq_srcptr x) {
+    return exact(integer_of(mpq_numref(x)), integer_of(mpq_denref(x)));
+}
 
 inline void set_integer(mpz_ptr to, const exact_integer& x) {
     std::vector<unsigned char> bytes;

@@ -18,7 +18,7 @@ struct reader<interval_number> {
     using undecided = CGAL::Uncertain_conversion_exception;
     [[nodiscard]] static computed read(const interval_number& x, const true_value&) {
         const bool finite = std::isfinite(x.inf()) && std::isfinite(x.sup());
-        return finite ? computed(interval{wide(x.inf()), wide(x.sup())}) : computed(not_finite{});
+        return finite ? computed(interval{wide_of(x.inf()), wide_of(x.sup())}) : computed(not_finite{});
     }
 };
 
