@@ -52,6 +52,12 @@ bool equal(const graze::vec<N, R>& x, const oracle::surd_vector<N>& y) {
     return true;
 }
 
+// Of whole inputs, which the oracle does not scale.
+template <class T>
+bool has_discriminant(const T& x, const oracle::piece& p) {
+    return equal(graze::root_type<T>(x), oracle::rational(p.discriminant()));
+}
+
 inline graze::encounter as_library(oracle::encounter e) { return static_cast<graze::encounter>(e); }
 
 // The sum of m v over both balls is unchanged, and the sum of m v²; with the masses that the inverses stand for.
@@ -87,6 +93,7 @@ graze::encounter check(const graze::ball<N, int>& whole_a, const graze::ball<N, 
     const auto s = graze::solve(a, b);
     const oracle::answer met = oracle::meet(whole_a, whole_b);
     RC_ASSERT(s.what == as_library(met.what));
+    RC_ASSERT(has_discriminant(s.discriminant, met.pieces[0]));
 
     const auto by_textbook = graze::solve<textbook, root_form::stable>(a, b);
     const auto printed = graze::solve<halved, root_form::printed>(a, b);
@@ -156,6 +163,9 @@ graze::wall_solution<N, T> check(const graze::ball<N, int>& ball, const graze::w
     }
     if (graze::is_collision(s.what)) {
         check_wall_contact(s, oracle::contact(ball, wall, met, met.where(), s.index));
+        if (s.where != graze::feature::face) {
+            RC_ASSERT(has_discriminant(s.discriminant, met.piece_of(met.where(), s.index)));
+        }
     }
     return s;
 }

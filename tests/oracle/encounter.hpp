@@ -25,6 +25,9 @@ inline bool is_collision(encounter e) { return e != encounter::recede && e != en
 // a t² + 2 h t + c = k (distance² - r²), k > 0, while low <= t <= high (none: no end; low > high: never).
 struct piece {
     mpz_class a, h, c, k = 1;
+
+    mpz_class discriminant() const { return h * h - a * c; }
+
     feature where = feature::corner;
     int index = 0; // edges: 2i + far, corners: λ_0 + 2 λ_1
     std::optional<mpq_class> low, high;
@@ -79,11 +82,11 @@ struct piece {
 
     // The smaller root, if it lies in the interval.
     std::optional<surd> root() const {
-        const mpz_class discriminant = h * h - a * c;
-        if (never || a == 0 || discriminant < 0) {
+        const mpz_class d = discriminant();
+        if (never || a == 0 || d < 0) {
             return std::nullopt;
         }
-        surd t{-h, -1, discriminant, a};
+        surd t{-h, -1, d, a};
         if ((low && compare(t, *low) < 0) || (high && compare(t, *high) > 0)) {
             return std::nullopt;
         }
@@ -98,6 +101,11 @@ struct answer {
     // Which features are met at that time; of a recede or an overlap: which are closest now. Walls only.
     bool face = false;
     unsigned edges = 0, corners = 0; // bit i: edge or corner i
+    std::vector<piece> pieces;
+
+    const piece& piece_of(feature f, int index) const {
+        return *std::ranges::find_if(pieces, [&](const piece& p) { return p.where == f && p.index == index; });
+    }
 
     bool has(feature f, int index) const {
         return f == feature::face ? face : ((f == feature::edge ? edges : corners) >> index & 1) != 0;
@@ -112,8 +120,10 @@ struct answer {
 };
 
 // pieces: all of the thing. is_point: r = 0. crosses: the centre moves towards or from the plane of the face.
-inline answer encounter_of(const std::vector<piece>& pieces, bool is_point, bool crosses, const mpq_class& unit) {
+inline answer encounter_of(std::vector<piece> all, bool is_point, bool crosses, const mpq_class& unit) {
     answer found;
+    found.pieces = std::move(all);
+    const std::vector<piece>& pieces = found.pieces;
     const piece* closest = nullptr;
     for (const piece& p : pieces) {
         if (p.holds_now() && (closest == nullptr || p.c * closest->k < closest->c * p.k)) {
@@ -295,7 +305,7 @@ answer meet(const graze::ball<N, T>& b, const graze::wall<N, T>& wall) {
         pieces.push_back(corner_piece<3>(w - e[1], u, r, 2));
         pieces.push_back(corner_piece<3>(w - e[0] - e[1], u, r, 3));
     }
-    return encounter_of(pieces, r == 0, speed != 0, g.time());
+    return encounter_of(std::move(pieces), r == 0, speed != 0, g.time());
 }
 
 } // namespace oracle
