@@ -5,5 +5,6 @@ int main() {
     const graze::ball<2> a{{0, 0}, {2, 0}, 1};
     const graze::ball<2> b{{10, 0}, {0, 0}, 1};
     const auto s = graze::solve(a, b);
-    return s.what == graze::encounter::hit && s.time == 4 && s.velocity_b[0] == 2 ? 0 : 1;
+    const bool solved = s.what == graze::encounter::hit && s.time == 4 && s.velocity_b[0] == 2;
+    return solved && graze::classify(a, b) == graze::encounter::hit && graze::time_of_impact(a, b) == 4.0 ? 0 : 1;
 }
