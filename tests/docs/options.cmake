@@ -1,5 +1,5 @@
 # cmake -D ROOT=... -D PROGRAM=graze-compare -P options.cmake: the page of the command line names the options that there
-# are, and no others; no other page names an option that there is not.
+# are, and no others; no other page names an option that there is not. The page of the families names all of them.
 cmake_policy(VERSION 3.25)
 execute_process(COMMAND "${PROGRAM}" --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "--[a-z]+(-[a-z]+)*" known "${help}")
@@ -28,4 +28,15 @@ foreach(file IN LISTS pages ITEMS "${ROOT}/README.md")
 endforeach()
 if(checked LESS 10)
     message(FATAL_ERROR "only ${checked} options were found")
+endif()
+
+execute_process(COMMAND "${PROGRAM}" --list-families OUTPUT_VARIABLE list COMMAND_ERROR_IS_FATAL ANY)
+file(READ "${ROOT}/docs/reference/families.md" page)
+string(REPLACE ";" "," list "${list}")
+string(REGEX MATCHALL "(^|\n)[a-z_]+: " families "${list}")
+string(REGEX MATCHALL "\n\\| `[a-z_]+` " told "${page}")
+list(TRANSFORM families REPLACE "[^a-z_]" "")
+list(TRANSFORM told REPLACE "[^a-z_]" "")
+if(NOT families OR NOT told STREQUAL families)
+    message(SEND_ERROR "docs/reference/families.md tells of ${told}, not of ${families}")
 endif()
