@@ -61,8 +61,12 @@ template <int N>
     random r(seed, index);
     const passage<N> p = random_passage<N>(r, 51);
     relative<N> m{sum<N>(p.foot, random_vector<N>(r, 1)), {}, p.distance};
-    m.du = r.one_in(4) ? sum<N>(random_speed(r, p, 50), random_vector<N>(r, 2))
-                       : random_velocity_towards(r, p.axes, 1, 48);
+    if (r.one_in(4)) {
+        m.du = random_speed(r, p, 50);
+        m.du = sum<N>(m.du, random_vector<N>(r, 2));
+    } else {
+        m.du = random_velocity_towards(r, p.axes, 1, 48);
+    }
     return balls<N>(r, m);
 }
 

@@ -5,7 +5,8 @@
 
 namespace families {
 
-// The generator splitmix64 (Steele, Lea, Flood 2014).
+// The generator splitmix64 (Steele, Lea, Flood 2014). Arguments of one call are evaluated in any order: draw at most
+// one number in them.
 class random {
   public:
     explicit constexpr random(std::uint64_t seed) : state_(seed) {}

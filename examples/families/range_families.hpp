@@ -3,8 +3,6 @@
 
 #include "pair.hpp"
 
-#include <limits>
-
 namespace families {
 
 // Of magnitude below 1, all 53 bits random, as a number and in units of 2^-50, rounded down.
@@ -65,7 +63,7 @@ template <int N>
     pair.hardness = static_cast<int>(index % 51);
     pair.a.mass = times_power_of_two(pair.a.mass, pair.hardness);
     if (index % 4 == 3) {
-        pair.a.mass = std::numeric_limits<double>::infinity();
+        pair.a.mass = std::bit_cast<double>(std::uint64_t{0x7ff} << 52U);
         pair.hardness = -1;
     }
     if (r.one_in(2)) {
@@ -113,7 +111,8 @@ template <int N>
     random r(seed, index);
     const int spread = index % 4 == 3 ? 1000 : 200;
     const auto any = [&] {
-        return times_power_of_two(random_coordinate(r).value, static_cast<int>(r.in(-spread, spread)));
+        const double x = random_coordinate(r).value;
+        return times_power_of_two(x, static_cast<int>(r.in(-spread, spread)));
     };
     pair_of_doubles<N> pair;
     for (graze::ball<N, double>* b : {&pair.a, &pair.b}) {

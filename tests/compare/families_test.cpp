@@ -1,9 +1,8 @@
-// The families: each has the property that it is named for, in exact arithmetic, and is the same everywhere.
+// The families: each has the property that it is named for, in exact arithmetic.
 #include "exact_doubles.hpp"
 
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <cmath>
 #include <map>
 #include <string>
@@ -47,39 +46,6 @@ std::size_t bits_of(const mpq_class& x) {
 }
 
 int exponent_of(double x) { return x == 0 ? -1074 : std::ilogb(x); }
-
-template <int N>
-std::uint64_t mix(std::uint64_t hash, const pair_of_doubles<N>& p) {
-    const auto add = [&](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3U; };
-    const auto add_vector = [&](const graze::vec<N, double>& v) {
-        for (int i = 0; i < N; ++i) {
-            add(v[i]);
-        }
-    };
-    for (const auto* b : {&p.a, &p.b}) {
-        add_vector(b->position);
-        add_vector(b->velocity);
-        add(b->radius);
-        add(b->mass);
-    }
-    add_vector(p.plane.point);
-    add_vector(p.plane.normal);
-    add_vector(p.wall.corner);
-    for (const auto& e : p.wall.edge) {
-        add_vector(e);
-    }
-    add(p.hardness);
-    return hash;
-}
-
-template <int N>
-std::uint64_t fingerprint(const family& f) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (std::uint64_t i = 0; i < 1000; ++i) {
-        hash = mix(hash, f.draw<N>(seed, i));
-    }
-    return hash;
-}
 
 } // namespace
 
@@ -384,41 +350,11 @@ IN_BOTH_DIMENSIONS("ranges") {
     });
 }
 
-TEST_CASE("the same pairs on every platform") {
-    const std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> known{
-        {"generic", {12373354951601163922U, 9192916016265876860U}},
-        {"grazing", {3831361362838621404U, 1562392213711300969U}},
-        {"tangent", {5644368263410063976U, 17085626710516854010U}},
-        {"far", {8792225367375580113U, 14831572825798223592U}},
-        {"tiny_radii", {14783003544219654352U, 4650473369346365559U}},
-        {"near_contact", {9908560390778768823U, 12386631569249044803U}},
-        {"touching", {3097216480215253104U, 5621047649442896834U}},
-        {"after_bounce", {1813236043538280283U, 9555026478466825381U}},
-        {"rounded_radius_sum", {7680042602802621989U, 6403913377960588945U}},
-        {"common_part", {1734283449394922886U, 14338947055551084890U}},
-        {"almost_equal_velocities", {13288666805878714861U, 13856853478914758324U}},
-        {"equal_times", {3409293270097856564U, 4804786279871714466U}},
-        {"ties", {350581350663983130U, 7964662065464094111U}},
-        {"edges_and_corners", {16936177112830935785U, 11929066630236675193U}},
-        {"borders", {6134286930899243667U, 14144202360388312508U}},
-        {"two_walls", {9398771532715971237U, 15248484218375015733U}},
-        {"generic_wall", {12703241613867793345U, 8360424506305001985U}},
-        {"scaled", {5816113894149721746U, 2743761349871326588U}},
-        {"subnormal", {2642854260020790176U, 9226823939256133171U}},
-        {"own_exponents", {417625920442236415U, 4804512327021880942U}},
-        {"masses", {1354590587772268678U, 3211760857085811548U}},
-    };
-    REQUIRE(known.size() == all_families.size());
-    for (const family& f : all_families) {
-        CAPTURE(f.name);
-        CHECK(known.at(std::string(f.name)) == std::pair{fingerprint<2>(f), fingerprint<3>(f)});
-    }
-}
-
 TEST_CASE("seeds and indices are streams of their own") {
     const family& f = *find_family("generic");
-    CHECK(mix(0, f.draw<3>(1, 5)) == mix(0, f.draw<3>(1, 5)));
-    CHECK(mix(0, f.draw<3>(1, 5)) != mix(0, f.draw<3>(2, 5)));
-    CHECK(mix(0, f.draw<3>(1, 5)) != mix(0, f.draw<3>(1, 6)));
+    const auto first = f.draw<3>(1, 5).a.position;
+    CHECK(f.draw<3>(1, 5).a.position == first);
+    CHECK_FALSE(f.draw<3>(2, 5).a.position == first);
+    CHECK_FALSE(f.draw<3>(1, 6).a.position == first);
     CHECK(find_family("Generic") == nullptr);
 }
