@@ -53,23 +53,40 @@ namespace detail {
 [[nodiscard]] constexpr bool is_finite_input(const std::int32_t&) noexcept { return true; }
 [[nodiscard]] constexpr bool is_finite_input(const std::int64_t&) noexcept { return true; }
 
-// x taken apart; x is finite. Exact for subnormals, whatever the flushing mode.
-[[nodiscard]] constexpr binary to_binary(const double& x) noexcept {
-    const std::uint64_t bits = detail::bits_of(x);
+namespace detail {
+
+// x as significand · 2^exponent with the significand as it is stored.
+[[nodiscard]] constexpr binary split(const double& x) noexcept {
+    const std::uint64_t bits = bits_of(x);
     const int field = static_cast<int>(bits >> 52 & 0x7ff);
     const std::uint64_t hidden = field != 0 ? std::uint64_t{1} << 52 : 0;
     const auto magnitude = static_cast<std::int64_t>((bits & 0xfffffffffffffU) | hidden);
-    return detail::odd(bits >> 63 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 1075);
+    return {bits >> 63 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 1075};
 }
-[[nodiscard]] constexpr binary to_binary(const float& x) noexcept {
-    const std::uint32_t bits = detail::bits_of(x);
+[[nodiscard]] constexpr binary split(const float& x) noexcept {
+    const std::uint32_t bits = bits_of(x);
     const int field = static_cast<int>(bits >> 23 & 0xff);
     const std::uint32_t hidden = field != 0 ? std::uint32_t{1} << 23 : 0;
     const auto magnitude = static_cast<std::int64_t>((bits & 0x7fffffU) | hidden);
-    return detail::odd(bits >> 31 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 150);
+    return {bits >> 31 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 150};
 }
-[[nodiscard]] constexpr binary to_binary(const std::int32_t& x) noexcept { return detail::odd(x, 0); }
-[[nodiscard]] constexpr binary to_binary(const std::int64_t& x) noexcept { return detail::odd(x, 0); }
+[[nodiscard]] constexpr binary split(const std::int32_t& x) noexcept { return {x, 0}; }
+[[nodiscard]] constexpr binary split(const std::int64_t& x) noexcept { return {x, 0}; }
+
+// |significand| < 2^stored_bits as split gives it.
+template <class T>
+inline constexpr int stored_bits = std::numeric_limits<T>::is_integer ? 8 * static_cast<int>(sizeof(T))
+                                                                           : std::numeric_limits<T>::digits;
+
+} // namespace detail
+
+// x taken apart; x is finite. Exact for subnormals, whatever the flushing mode.
+template <class T>
+requires is_binary_input<T>
+[[nodiscard]] constexpr binary to_binary(const T& x) noexcept {
+    const binary b = detail::split(x);
+    return detail::odd(b.significand, b.exponent);
+}
 
 // K numbers as integers on one scale: value_i = significand_i · 2^(shift_i + exponent), 0 <= shift_i, |value_i| <
 // 2^(width + exponent).
@@ -87,31 +104,32 @@ struct lifted {
     }
 };
 
-// The scale is the lowest bit that is set in any of them; zeros take no part.
-template <class T, std::size_t K>
-[[nodiscard]] constexpr lifted<K> lift(const std::array<T, K>& values) noexcept {
-    lifted<K> r;
+// K numbers from `values` on, lifted. Zeros take no part in the scale; bits that are zero in all significands are left
+// out, so that small integers and numbers on a grid stay narrow.
+template <std::size_t K, class T>
+constexpr void lift(lifted<K>& r, const T* values) noexcept {
     int low = std::numeric_limits<int>::max();
     int high = std::numeric_limits<int>::min();
+    std::uint64_t any = 0;
     for (std::size_t i = 0; i < K; ++i) {
-        const binary b = to_binary(values[i]);
+        const binary b = detail::split(values[i]);
         r.significand[i] = b.significand;
         r.shift[i] = b.exponent;
-        if (b.significand != 0) {
-            const auto magnitude = static_cast<std::uint64_t>(b.significand < 0 ? -b.significand : b.significand);
-            const int top = b.exponent + static_cast<int>(std::bit_width(magnitude));
-            low = b.exponent < low ? b.exponent : low;
-            high = top > high ? top : high;
-        }
+        any |= static_cast<std::uint64_t>(b.significand);
+        low = b.significand != 0 && b.exponent < low ? b.exponent : low;
+        high = b.significand != 0 && b.exponent > high ? b.exponent : high;
     }
-    if (high >= low) {
-        r.exponent = low;
-        r.width = high - low;
+    if (any == 0) {
+        r.shift = {};
+        return;
     }
+    const int zeros = std::countr_zero(any);
+    r.exponent = low + zeros;
+    r.width = high - low + detail::stored_bits<T> - zeros;
     for (std::size_t i = 0; i < K; ++i) {
-        r.shift[i] = r.significand[i] != 0 ? r.shift[i] - r.exponent : 0;
+        r.shift[i] = r.significand[i] != 0 ? r.shift[i] - low : 0;
+        r.significand[i] >>= zeros;
     }
-    return r;
 }
 
 // Brings two groups to their common scale and width.

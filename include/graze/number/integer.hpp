@@ -9,8 +9,27 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <utility>
 
 namespace graze {
+
+namespace detail {
+
+// f(0), ..., f(Count - 1), written out when there are few: compilers at -O2 keep such loops, which costs more than the
+// work.
+template <int Count, class F>
+constexpr void repeat(F f) {
+    if constexpr (Count <= 5) {
+        [&]<int... I>(std::integer_sequence<int, I...>) { (f(I), ...); }
+        (std::make_integer_sequence<int, Count>{});
+    } else {
+        for (int i = 0; i < Count; ++i) {
+            f(i);
+        }
+    }
+}
+
+} // namespace detail
 
 // An integer x with |x| < 2^Bits. Exact, constexpr, never allocates. + and - give max + 1 bits, * the sum of both.
 // Two's complement in 64-bit limbs, the lowest first.
@@ -34,9 +53,7 @@ class integer {
     // From a narrower one.
     template <int B>
     requires(B < Bits) constexpr integer(const integer<B>& x) noexcept {
-        for (int i = 0; i < limbs; ++i) {
-            limb_[static_cast<unsigned>(i)] = x.limb(i);
-        }
+        detail::repeat<limbs>([&](int i) { limb_[static_cast<unsigned>(i)] = x.limb(i); });
     }
 
     // The value of a 64-bit word of which the caller knows that it fits.
@@ -51,6 +68,11 @@ class integer {
         integer x;
         if constexpr (limbs == 1) {
             x.limb_[0] = static_cast<std::uint64_t>(significand) << shift;
+        } else if constexpr (limbs == 2) {
+            const auto value = static_cast<std::uint64_t>(significand);
+            const auto above = static_cast<std::uint64_t>(significand >> (63 - shift % 64) >> 1);
+            x.limb_[0] = shift < 64 ? value << shift % 64 : 0;
+            x.limb_[1] = shift < 64 ? above : value << shift % 64;
         } else {
             const auto value = static_cast<std::uint64_t>(significand);
             const std::uint64_t extension = significand < 0 ? ~std::uint64_t{0} : 0;
@@ -76,17 +98,13 @@ class integer {
     [[nodiscard]] constexpr integer operator-() const noexcept {
         integer r;
         std::uint64_t carry = 1;
-        for (unsigned i = 0; i < limbs; ++i) {
-            r.limb_[i] = detail::add_with_carry(~limb_[i], 0, carry);
-        }
+        detail::repeat<limbs>([&](int i) { r.set_limb(i, detail::add_with_carry(~limb(i), 0, carry)); });
         return r;
     }
 
     [[nodiscard]] constexpr int sign() const noexcept {
         std::uint64_t any = 0;
-        for (unsigned i = 0; i < limbs; ++i) {
-            any |= limb_[i];
-        }
+        detail::repeat<limbs>([&](int i) { any |= limb(i); });
         return is_negative() ? -1 : any != 0 ? 1 : 0;
     }
 
@@ -123,9 +141,7 @@ template <int A, int B>
     using sum = integer<(A > B ? A : B) + 1>;
     sum r;
     std::uint64_t carry = 0;
-    for (int i = 0; i < sum::limbs; ++i) {
-        r.set_limb(i, detail::add_with_carry(x.limb(i), y.limb(i), carry));
-    }
+    detail::repeat<sum::limbs>([&](int i) { r.set_limb(i, detail::add_with_carry(x.limb(i), y.limb(i), carry)); });
     return r;
 }
 
@@ -134,9 +150,8 @@ template <int A, int B>
     using difference = integer<(A > B ? A : B) + 1>;
     difference r;
     std::uint64_t carry = 1;
-    for (int i = 0; i < difference::limbs; ++i) {
-        r.set_limb(i, detail::add_with_carry(x.limb(i), ~y.limb(i), carry));
-    }
+    detail::repeat<difference::limbs>(
+        [&](int i) { r.set_limb(i, detail::add_with_carry(x.limb(i), ~y.limb(i), carry)); });
     return r;
 }
 
@@ -156,27 +171,30 @@ template <int A, int B>
             r.set_limb(1, static_cast<std::uint64_t>(p.high) - (p.low < 0 ? 1U : 0U));
         }
     } else {
-        for (int i = 0; i < rows; ++i) {
+        detail::repeat<rows>([&](int i) {
             std::uint64_t carry = 0;
-            for (int j = 0; j < columns && i + j < product::limbs; ++j) {
-                const auto t = detail::multiply_add(x.limb(i), y.limb(j), r.limb(i + j), carry);
-                r.set_limb(i + j, t.low);
-                carry = t.high;
-            }
+            detail::repeat<columns>([&](int j) {
+                if (i + j < product::limbs) {
+                    const auto t = detail::multiply_add(x.limb(i), y.limb(j), r.limb(i + j), carry);
+                    r.set_limb(i + j, t.low);
+                    carry = t.high;
+                }
+            });
             if (i + columns < product::limbs) {
                 r.set_limb(i + columns, carry);
             }
-        }
+        });
         const std::uint64_t x_negative = x.is_negative() ? ~std::uint64_t{0} : 0;
         const std::uint64_t y_negative = y.is_negative() ? ~std::uint64_t{0} : 0;
+        const auto take_off = [&](const auto& factor, int from, int i, std::uint64_t mask, std::uint64_t& borrow) {
+            if (from + i < product::limbs) {
+                r.set_limb(from + i, detail::add_with_carry(r.limb(from + i), ~(factor.limb(i) & mask), borrow));
+            }
+        };
         std::uint64_t borrow = 1;
-        for (int j = 0; j < columns && rows + j < product::limbs; ++j) {
-            r.set_limb(rows + j, detail::add_with_carry(r.limb(rows + j), ~(y.limb(j) & x_negative), borrow));
-        }
+        detail::repeat<columns>([&](int j) { take_off(y, rows, j, x_negative, borrow); });
         borrow = 1;
-        for (int i = 0; i < rows && columns + i < product::limbs; ++i) {
-            r.set_limb(columns + i, detail::add_with_carry(r.limb(columns + i), ~(x.limb(i) & y_negative), borrow));
-        }
+        detail::repeat<rows>([&](int i) { take_off(x, columns, i, y_negative, borrow); });
     }
     return r;
 }

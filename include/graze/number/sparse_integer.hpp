@@ -7,6 +7,9 @@
 
 namespace graze {
 
+template <int N, class T>
+struct vec;
+
 // An integer x with |x| < 2^Bits as Σ digit_i 2^(64 position_i), the digits in [-2^63, 2^63), zero digits left out. A
 // carry is one more digit and does not run through zeros, so that 2^2000 - 1 has two digits. The sign is that of the
 // highest digit, since all below it amount to less than its unit. Same widths as integer<Bits>; never allocates. The
@@ -102,47 +105,81 @@ template <int A, int B>
     return detail::sparse_sum<sparse_integer<(A > B ? A : B) + 1>>(x, y, -1);
 }
 
-// Rows of digit products into a dense accumulator, of which only the touched part is read back.
-template <int A, int B>
-[[nodiscard]] constexpr auto operator*(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
-    sparse_integer<A + B> r;
-    if (x.count() == 0 || y.count() == 0) {
+namespace detail {
+
+// Digits summed up in place, with a mask of the positions that were touched.
+template <int Capacity>
+class digit_accumulator {
+  public:
+    constexpr digit_accumulator() noexcept : touched_{} {}
+
+    // Adds x·y, row by row.
+    template <int A, int B>
+    constexpr void add_product(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
+        for (int i = 0; i < x.count(); ++i) {
+            std::int64_t carry = 0;
+            int next = -1;
+            for (int j = 0; j < y.count(); ++j) {
+                const int p = x.position(i) + y.position(j);
+                if (p != next) {
+                    deposit(next, carry);
+                    carry = 0;
+                }
+                const auto t = multiply_add_balanced(x.digit(i), y.digit(j), at(p), carry);
+                sum_[p] = t.low;
+                carry = t.high;
+                next = p + 1;
+            }
+            deposit(next, carry);
+        }
+    }
+
+    template <class R>
+    [[nodiscard]] constexpr R result() const noexcept {
+        R r;
+        for (int word = 0; word < words; ++word) {
+            for (std::uint64_t rest = touched_[word]; rest != 0; rest &= rest - 1) {
+                const int p = 64 * word + std::countr_zero(rest);
+                r.append(p, sum_[p]);
+            }
+        }
         return r;
     }
-    constexpr int capacity = sparse_integer<A>::capacity + sparse_integer<B>::capacity + 2;
-    std::int64_t sum[capacity];
-    const int first = x.position(0) + y.position(0);
-    const int last = x.position(x.count() - 1) + y.position(y.count() - 1) + 2;
-    for (int i = first; i <= last; ++i) {
-        sum[i] = 0;
+
+  private:
+    static constexpr int words = Capacity / 64 + 1;
+
+    // The digit at p, 0 when it is touched for the first time.
+    [[nodiscard]] constexpr std::int64_t at(int p) noexcept {
+        const std::uint64_t bit = std::uint64_t{1} << (p % 64);
+        std::uint64_t& word = touched_[p / 64];
+        if ((word & bit) == 0) {
+            word |= bit;
+            return 0;
+        }
+        return sum_[p];
     }
-    const auto deposit = [&](int p, std::int64_t carry) {
+
+    constexpr void deposit(int p, std::int64_t carry) noexcept {
         while (carry != 0) {
-            const auto t = detail::multiply_add_balanced(0, 0, sum[p], carry);
-            sum[p++] = t.low;
+            const auto t = multiply_add_balanced(0, 0, at(p), carry);
+            sum_[p++] = t.low;
             carry = t.high;
         }
-    };
-    for (int i = 0; i < x.count(); ++i) {
-        std::int64_t carry = 0;
-        int next = 0;
-        for (int j = 0; j < y.count(); ++j) {
-            const int p = x.position(i) + y.position(j);
-            if (p != next) {
-                deposit(next, carry);
-                carry = 0;
-            }
-            const auto t = detail::multiply_add_balanced(x.digit(i), y.digit(j), sum[p], carry);
-            sum[p] = t.low;
-            carry = t.high;
-            next = p + 1;
-        }
-        deposit(next, carry);
     }
-    for (int i = first; i <= last; ++i) {
-        r.append(i, sum[i]);
-    }
-    return r;
+
+    std::uint64_t touched_[words];
+    std::int64_t sum_[Capacity];
+};
+
+} // namespace detail
+
+template <int A, int B>
+[[nodiscard]] constexpr auto operator*(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
+    using product = sparse_integer<A + B>;
+    detail::digit_accumulator<product::capacity + 2> sum;
+    sum.add_product(x, y);
+    return sum.template result<product>();
 }
 
 template <int Bits>
@@ -151,6 +188,17 @@ struct number_traits<sparse_integer<Bits>> {
     static constexpr bool is_exact = true;
     static constexpr int digits = 0;
     static constexpr int sign(const sparse_integer<Bits>& x) noexcept { return x.sign(); }
+
+    // The products of an inner product share one accumulator.
+    template <int N, int B>
+    static constexpr auto dot(const vec<N, sparse_integer<Bits>>& x, const vec<N, sparse_integer<B>>& y) noexcept {
+        using sum_type = sparse_integer<Bits + B + 2>;
+        detail::digit_accumulator<sum_type::capacity + 2> sum;
+        for (int i = 0; i < N; ++i) {
+            sum.add_product(x[i], y[i]);
+        }
+        return sum.template result<sum_type>();
+    }
 };
 
 } // namespace graze

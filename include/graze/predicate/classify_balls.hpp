@@ -4,6 +4,7 @@
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
+#include <graze/number/estimate.hpp>
 #include <graze/predicate/input_check.hpp>
 #include <graze/predicate/pair.hpp>
 #include <graze/predicate/rounded_motion.hpp>
@@ -24,8 +25,8 @@ struct halved_of_motion {
     }
 };
 
-// The constant of D, and of the two signs that are compared with the same product of scales: h² > K S, S = length²·velocity², is
-// more than |h| > K_h length·velocity, and a|c| > K S is |c| > K length².
+// The constant of D, and of the two signs that are compared with the same product of scales: h² > K S, S =
+// length²·velocity², is more than |h| > K_h length·velocity, and a|c| > K S is |c| > K length².
 template <int N, class T>
 struct ball_filter {
     static constexpr double h = filter_constant(coefficient_h{}, ball_bounds<N, T>::value());
@@ -54,11 +55,12 @@ struct filtered_balls {
     }
 };
 
-// The range. |Δu|² and length2 above 2^-450 keep what under- and overflow loses, or a mode flushes to zero, below 2^-120 of any
-// scale, and the scale below 2^1000 keeps h² and ac finite; a NaN or an infinity makes a comparison false. Conditions are joined
-// with & and not &&: one branch that is always taken costs less than several.
+// The range. |Δu|² and length2 above 2^-450 keep what under- and overflow loses, or a mode flushes to zero, below
+// 2^-120 of any scale, and the scale below 2^1000 keeps h² and ac finite; a NaN or an infinity makes a comparison
+// false. Conditions are joined with & and not &&: one branch that is always taken costs less than several.
 template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+[[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a,
+                                                                     const ball<N, T>& b) noexcept {
     using constant = ball_filter<N, T>;
     filtered_balls r;
     const auto m = rounded_motion(a, b);
@@ -91,6 +93,13 @@ template <int N, class T, class F>
     return with_exact_motion<two_balls<N>>(lift_row<two_balls<N>>(two_balls<N>::pack(a, b)), f);
 }
 
+// The sign of D from exact coefficients: of an estimate where that is certain, else of the exact value.
+template <class A, class H, class C>
+[[nodiscard]] constexpr int sign_of_discriminant(const quadratic<A, H, C>& q) {
+    const estimate d = discriminant_halved{}(quadratic{estimate_of(q.a), estimate_of(q.h), estimate_of(q.c)});
+    return is_certain(d) ? (d.value < 0 ? -1 : 1) : sign(discriminant_halved{}(q));
+}
+
 // The encounter by the signs of exact numbers.
 struct exact_encounter {
     template <class M>
@@ -99,7 +108,7 @@ struct exact_encounter {
         const auto c = coefficient_c{}(m);
         return encounter_of([&] { return sign(h); }, [&] { return sign(c); },
                             [&] {
-                                return sign(discriminant_halved{}(quadratic{coefficient_a{}(m), h, c}));
+                                return sign_of_discriminant(quadratic{coefficient_a{}(m), h, c});
                             });
     }
 };
@@ -111,7 +120,8 @@ struct exact_encounter {
 // observer is told which stage decided. Eqs. (10) to (12), corrected.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
+[[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const ball<N, T>& a, const ball<N, T>& b,
+                                                                      Observer&& observer = {}) {
     if (!std::is_constant_evaluated()) {
         if (const auto filtered = detail::filter_balls(a, b); filtered.certain) [[likely]] {
             observer(stage::filter);

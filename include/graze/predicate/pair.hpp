@@ -116,16 +116,10 @@ struct ball_and_wall {
 // A row of pair kind P, lifted.
 template <class P, class Row>
 [[nodiscard]] constexpr auto lift_row(const Row& row) noexcept {
-    using T = typename Row::value_type;
-    const auto part = [&]<std::size_t From, std::size_t Count>() {
-        std::array<T, Count> values{};
-        std::copy_n(row.begin() + From, Count, values.begin());
-        return lift(values);
-    };
     lifted_inputs<P::lengths, P::velocities, P::normals> r;
-    r.length = part.template operator()<0, P::lengths>();
-    r.velocity = part.template operator()<P::lengths, P::velocities>();
-    r.normal = part.template operator()<P::lengths + P::velocities, P::normals>();
+    lift(r.length, row.data());
+    lift(r.velocity, row.data() + P::lengths);
+    lift(r.normal, row.data() + P::lengths + P::velocities);
     return r;
 }
 
