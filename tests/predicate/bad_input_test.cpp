@@ -1,0 +1,199 @@
+// A bad number is named, and never yields an answer, whatever the other numbers are.
+#include "faults.hpp"
+
+#include <graze/predicate/overlaps.hpp>
+#include <graze/predicate/time_of_impact.hpp>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace {
+
+// The same message from each predicate.
+template <class A, class B>
+std::string message(const A& a, const B& b) {
+    const std::string first = faults::thrown_by([&] { (void)graze::classify(a, b); });
+    CHECK(first == faults::thrown_by([&] { (void)graze::overlaps(a, b); }));
+    CHECK(first == faults::thrown_by([&] { (void)graze::time_of_impact(a, b); }));
+    return first;
+}
+
+template <int N, class T>
+graze::vec<N, T> filled(int x) {
+    return graze::make_vec<N>([x](int i) { return static_cast<T>(x + i); });
+}
+template <int N, class T>
+graze::ball<N, T> good_ball(int x) {
+    return {filled<N, T>(x), filled<N, T>(-1), T(1)};
+}
+template <int N, class T>
+graze::wall<N, T> good_wall() {
+    graze::wall<N, T> w{filled<N, T>(0), {}};
+    for (std::size_t i = 0; i < w.edge.size(); ++i) {
+        w.edge[i][static_cast<int>(i)] = T(2);
+    }
+    return w;
+}
+
+// Every component of x in turn set to every number that is not finite.
+template <int N, class T, class F>
+void each_bad(graze::vec<N, T>& x, F f) {
+    using limits = std::numeric_limits<T>;
+    for (int i = 0; i < N; ++i) {
+        const T good = x[i];
+        for (const T bad : {limits::quiet_NaN(), limits::signaling_NaN(), -limits::quiet_NaN(), limits::infinity(),
+                            -limits::infinity()}) {
+            x[i] = bad;
+            f();
+        }
+        x[i] = good;
+    }
+}
+
+template <int N, class T, class B>
+void check_ball(graze::ball<N, T>& ball, const std::string& name, const graze::ball<N, T>& a, const B& b) {
+    using limits = std::numeric_limits<T>;
+    each_bad(ball.position, [&] { CHECK(message(a, b) == name + ": position is not finite"); });
+    each_bad(ball.velocity, [&] { CHECK(message(a, b) == name + ": velocity is not finite"); });
+    for (const T bad : {limits::quiet_NaN(), limits::signaling_NaN(), limits::infinity(), -limits::infinity()}) {
+        ball.radius = bad;
+        CHECK(message(a, b) == name + ": radius is not finite");
+    }
+    for (const T bad : {T(-1), -limits::denorm_min(), limits::lowest()}) {
+        ball.radius = bad;
+        CHECK(message(a, b) == name + ": radius is negative");
+    }
+    for (const T good : {T(0), -T(0), limits::max(), limits::denorm_min()}) {
+        ball.radius = good;
+        CHECK(message(a, b) == "");
+    }
+    ball.radius = T(1);
+    for (const T mass : {T(0), T(-1), limits::infinity(), limits::quiet_NaN()}) { // decisions take no mass
+        ball.mass = mass;
+        CHECK(message(a, b) == "");
+    }
+    ball.mass = T(1);
+}
+
+template <int N, class T>
+void check_each_field() {
+    auto a = good_ball<N, T>(5);
+    auto b = good_ball<N, T>(1);
+    CHECK(message(a, b) == "");
+    check_ball(a, "ball a", a, b);
+    check_ball(b, "ball b", a, b);
+
+    graze::plane<N, T> p{filled<N, T>(0), filled<N, T>(1)};
+    CHECK(message(a, p) == "");
+    check_ball(a, "ball", a, p);
+    each_bad(p.point, [&] { CHECK(message(a, p) == "plane: point is not finite"); });
+    each_bad(p.normal, [&] { CHECK(message(a, p) == "plane: normal is not finite"); });
+    p.normal = {};
+    p.normal[1] = -T(0);
+    CHECK(message(a, p) == "plane: normal is zero");
+    p.normal[1] = std::numeric_limits<T>::denorm_min();
+    CHECK(message(a, p) == "");
+
+    auto w = good_wall<N, T>();
+    CHECK(message(a, w) == "");
+    check_ball(a, "ball", a, w);
+    each_bad(w.corner, [&] { CHECK(message(a, w) == "wall: corner is not finite"); });
+    for (auto& e : w.edge) {
+        each_bad(e, [&] { CHECK(message(a, w) == "wall: edge is not finite"); });
+        const auto good = e;
+        e = {};
+        e[0] = -T(0);
+        CHECK(message(a, w) == "wall: edge is zero");
+        e = good;
+    }
+}
+
+template <class T>
+void check_parallel_edges() {
+    const auto a = good_ball<3, T>(5);
+    auto w = good_wall<3, T>();
+    for (const int factor : {1, -1, 3}) {
+        w.edge[1] = T(factor) * w.edge[0];
+        CHECK(message(a, w) == "wall: edges are parallel");
+        w.edge[0] = {{T(1), T(2), T(3)}};
+        w.edge[1] = T(factor) * w.edge[0];
+        CHECK(message(a, w) == "wall: edges are parallel");
+    }
+}
+
+// A number of any kind, bad ones among them.
+double any_number() {
+    using limits = std::numeric_limits<double>;
+    const int which = *rc::gen::inRange(0, 30);
+    if (which == 0) {
+        return *rc::gen::element(limits::quiet_NaN(), limits::infinity(), -limits::infinity(), limits::max(),
+                                 limits::lowest(), limits::denorm_min(), -0.0);
+    }
+    return which < 5 ? std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>()) : *rc::gen::inRange(-2, 10);
+}
+template <int N>
+graze::vec<N, double> any_vector() {
+    return graze::make_vec<N>([](int) { return any_number(); });
+}
+template <int N>
+graze::ball<N, double> any_ball() {
+    return {any_vector<N>(), any_vector<N>(), any_number(), any_number()};
+}
+
+template <class A, class B>
+void check_told(const A& a, const B& b) {
+    const faults::list all = faults::of(a, b);
+    RC_CLASSIFY(!all.empty(), "bad");
+    RC_ASSERT(faults::told(all, [&] { (void)graze::classify(a, b); }));
+    RC_ASSERT(faults::told(all, [&] { (void)graze::overlaps(a, b); }));
+    RC_ASSERT(faults::told(all, [&] { (void)graze::time_of_impact(a, b); }));
+}
+
+template <int N>
+void check_any() {
+    CHECK(rc::check("two balls", [] { check_told(any_ball<N>(), any_ball<N>()); }));
+    CHECK(rc::check("a ball and a plane", [] {
+        check_told(any_ball<N>(), graze::plane<N, double>{any_vector<N>(), any_vector<N>()});
+    }));
+    CHECK(rc::check("a ball and a wall", [] {
+        graze::wall<N, double> w{any_vector<N>(), {}};
+        for (auto& e : w.edge) {
+            e = any_vector<N>();
+        }
+        check_told(any_ball<N>(), w);
+    }));
+}
+
+} // namespace
+
+TEST_CASE("A bad number is named by its argument and field") {
+    check_each_field<2, double>();
+    check_each_field<3, double>();
+    check_each_field<3, float>();
+    check_parallel_edges<double>();
+}
+
+TEST_CASE("A bad number never yields an answer, whatever the others are") {
+    check_any<2>();
+    check_any<3>();
+}
+
+TEST_CASE("Whole numbers can be bad too") {
+    constexpr auto least = std::numeric_limits<std::int64_t>::min();
+    auto a = good_ball<2, std::int64_t>(5);
+    auto b = good_ball<2, std::int64_t>(1);
+    for (const std::int64_t bad : {std::int64_t{-1}, least}) {
+        a.radius = bad;
+        CHECK(message(a, b) == "ball a: radius is negative");
+        CHECK(message(b, a) == "ball b: radius is negative");
+    }
+    a.radius = 1;
+    CHECK(message(a, graze::plane<2, std::int64_t>{{1, 1}, {0, 0}}) == "plane: normal is zero");
+    CHECK(message(a, graze::wall<2, std::int64_t>{{1, 1}, {{{0, 0}}}}) == "wall: edge is zero");
+    CHECK(message(a, graze::wall<2, std::int64_t>{{1, 1}, {{{least, least}}}}) == "");
+}

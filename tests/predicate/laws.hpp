@@ -1,0 +1,114 @@
+// What holds of any pair's answer, whatever it is.
+#pragma once
+
+#include "answers.hpp"
+#include "transform.hpp"
+
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+
+namespace laws {
+
+// 1. The axes may be permuted and mirrored.
+template <class A, class B>
+void axes(const A& a, const B& b, bool mirror = true) {
+    const auto answer = answers::of(a, b);
+    RC_ASSERT(answers::of(transform::permuted(a, 1), transform::permuted(b, 1)) == answer);
+    if (mirror) {
+        const unsigned which = *rc::gen::inRange(1U, 8U);
+        RC_ASSERT(answers::of(transform::reflected(a, which), transform::reflected(b, which)) == answer);
+    }
+}
+
+// x + y, if that is exact.
+template <int N>
+bool add_exactly(graze::vec<N, double>& x, const graze::vec<N, double>& y) {
+    for (int i = 0; i < N; ++i) {
+        const double sum = x[i] + y[i];
+        if (!std::isfinite(sum) || mpq_class(sum) != mpq_class(x[i]) + mpq_class(y[i])) {
+            return false;
+        }
+        x[i] = sum;
+    }
+    return true;
+}
+
+// 2. The same things may be written otherwise: balls exchanged, a plane's normal in the other sense, a wall's edges
+// exchanged or drawn from the other end.
+template <int N, class T>
+void presentation(const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
+    RC_ASSERT(answers::of(a, b) == answers::of(b, a));
+}
+template <int N, class T>
+void presentation(const graze::ball<N, T>& a, graze::plane<N, T> p) {
+    const auto answer = answers::of(a, p);
+    p.normal = -p.normal;
+    RC_ASSERT(answers::of(a, p) == answer);
+}
+template <int N, class T>
+void presentation(const graze::ball<N, T>& a, graze::wall<N, T> w) {
+    const auto answer = answers::of(a, w);
+    std::swap(w.edge.front(), w.edge.back());
+    RC_ASSERT(answers::of(a, w) == answer);
+    if constexpr (std::is_same_v<T, double>) {
+        if (add_exactly(w.corner, w.edge[0])) {
+            w.edge[0] = -w.edge[0];
+            RC_ASSERT(answers::of(a, w) == answer);
+        }
+    }
+}
+
+// x 2^power is exact and no bit of it is lost.
+inline bool scales(double x, int power) { return x == 0 || std::ldexp(std::ldexp(x, power), -power) == x; }
+
+// 3. Lengths, velocities and normals may be scaled by a power of two each: the encounter stays and times scale.
+template <class A, class B>
+void scaling(const A& a, const B& b) {
+    const int power[3] = {*rc::gen::inRange(-300, 301), *rc::gen::inRange(-300, 301), *rc::gen::inRange(-300, 301)};
+    bool exact = true;
+    const auto times = [&](double x, int kind) {
+        exact = exact && scales(x, power[kind]);
+        return std::ldexp(x, power[kind]);
+    };
+    const A scaled_a = transform::scaled(a, times);
+    const B scaled_b = transform::scaled(b, times);
+    if (!exact) {
+        return; // counted by nobody: most pairs are far from the ends of the range
+    }
+    const auto answer = answers::of(a, b);
+    const auto scaled = answers::of(scaled_a, scaled_b);
+    RC_ASSERT(scaled.what == answer.what);
+    RC_ASSERT(scaled.overlaps == answer.overlaps);
+    RC_ASSERT(scaled.time.has_value() == answer.time.has_value());
+    if (answer.time) {
+        const double m = oracle::nearest_double(*oracle::meet(a, b).time);
+        const int unit = power[0] - power[1];
+        if (std::isfinite(m) && scales(m, unit)) {
+            RC_ASSERT((*scaled.time <=> std::ldexp(m, unit)) == (*answer.time <=> m));
+        }
+    }
+}
+
+// 4. Both balls may fly faster by the same velocity, and everything may be elsewhere. Says whether that was exact.
+template <int N>
+bool common_velocity(graze::ball<N, double> a, graze::ball<N, double> b, const graze::vec<N, double>& v) {
+    const auto answer = answers::of(a, b);
+    if (!add_exactly(a.velocity, v) || !add_exactly(b.velocity, v)) {
+        return false;
+    }
+    RC_ASSERT(answers::of(a, b) == answer);
+    return true;
+}
+template <int N>
+bool common_position(graze::ball<N, double> a, graze::ball<N, double> b, const graze::vec<N, double>& x) {
+    const auto answer = answers::of(a, b);
+    if (!add_exactly(a.position, x) || !add_exactly(b.position, x)) {
+        return false;
+    }
+    RC_ASSERT(answers::of(a, b) == answer);
+    return true;
+}
+
+} // namespace laws

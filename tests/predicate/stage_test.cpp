@@ -1,0 +1,130 @@
+// The answer and the stage that gave it: easy cases come from the filter, hard ones from integers.
+#include "answers.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <source_location>
+
+namespace {
+
+using enum graze::encounter;
+using graze::stage;
+using place = std::source_location;
+using ball = graze::ball<3, double>;
+using plane = graze::plane<3, double>;
+using wall = graze::wall<3, double>;
+
+template <class A, class B>
+void expect(graze::encounter what, stage decided_by, const A& a, const B& b, const place here = place::current()) {
+    CAPTURE(here.line());
+    const auto answer = answers::of(a, b);
+    CHECK(answer.what == what);
+    CHECK(answer.decided_by == decided_by);
+    CHECK(answers::is_right(answer, a, b));
+}
+
+template <class A, class B>
+void expect_overlap(bool overlap, stage decided_by, const A& a, const B& b, const place here = place::current()) {
+    CAPTURE(here.line());
+    auto told = stage::filter;
+    CHECK(graze::overlaps(a, b, [&](stage s) { told = s; }) == overlap);
+    CHECK(told == decided_by);
+}
+
+ball at(double x, double y, double z, double u, double v, double w, double radius = 1) {
+    return {{{x, y, z}}, {{u, v, w}}, radius};
+}
+
+constexpr double up = 1 + 0x1p-52, down = 1 - 0x1p-53;
+
+} // namespace
+
+TEST_CASE("Two balls") {
+    const ball rest = at(0, 0, 0, 0, 0, 0);
+    expect(hit, stage::filter, at(5, 0.5, 0, -1, 0, 0), rest);
+    expect(miss, stage::filter, at(5, 2.5, 0, -1, 0, 0), rest);
+    expect(recede, stage::filter, at(5, 0.5, 0, 1, 0, 0), rest);
+    expect(overlap, stage::filter, at(1, 0.5, 0, -1, 0, 0), rest);
+
+    expect(graze::encounter::graze, stage::exact, at(5, 2, 0, -1, 0, 0), rest);
+    expect(hit, stage::exact, at(5, 2 * down, 0, -1, 0, 0), rest);
+    expect(miss, stage::exact, at(5, 2 * up, 0, -1, 0, 0), rest);
+    expect(hit, stage::exact, at(2, 0, 0, -1, 0, 0), rest); // touching: c = 0
+    expect(hit, stage::exact, at(2 * up, 0, 0, -1, 0, 0), rest);
+    expect(overlap, stage::exact, at(2 * down, 0, 0, -1, 0, 0), rest);
+    expect(recede, stage::exact, at(5, 0, 0, 0, 1, 0), rest); // h = 0
+    expect(recede, stage::exact, at(0, 0, 0, 1, 1, 1), rest);
+    expect(recede, stage::exact, rest, rest);
+    expect(hit, stage::exact, at(5, 0, 0, -1, 0, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-80)); // D is 2^-160
+    expect(graze::encounter::graze, stage::exact, at(5, 0, 0, -1, 0, 0, 0),
+           at(0, 0, 0, 0, 0, 0, 0)); // points that meet
+
+    // Too large or too small for the filter, easy or not.
+    expect(hit, stage::exact, at(0x1p600, 0, 0, -1, 0, 0), rest);
+    expect(hit, stage::exact, at(5, 0.5, 0, -0x1p-300, 0, 0), rest);
+    expect(hit, stage::exact, at(0x1p-1070, 0, 0, -1, 0, 0, 0x1p-1074), at(0, 0, 0, 0, 0, 0, 0x1p-1074));
+    const double huge = std::numeric_limits<double>::max();
+    expect(hit, stage::exact, at(huge, 0, 0, -huge, 0, 0, huge), at(-huge, 0, 0, huge, 0, 0, 1));
+
+    // r_a + r_b is no double: 1 + 2^-60.
+    expect(overlap, stage::exact, at(1, 0, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
+    expect(hit, stage::exact, at(5, 1, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
+}
+
+TEST_CASE("Whether two balls overlap") {
+    const ball rest = at(0, 0, 0, 0, 0, 0);
+    expect_overlap(true, stage::filter, at(1, 0, 0, 9, 9, 9), rest);
+    expect_overlap(false, stage::filter, at(3, 0, 0, -1, 0, 0), rest);
+    expect_overlap(false, stage::exact, at(2, 0, 0, 1, 0, 0), rest);
+    expect_overlap(true, stage::exact, at(2 * down, 0, 0, 1, 0, 0), rest);
+    expect_overlap(false, stage::exact, at(2 * up, 0, 0, 1, 0, 0), rest);
+    expect_overlap(true, stage::exact, at(0x1p-600, 0, 0, 1, 0, 0, 0x1p-600), at(0, 0, 0, 0, 0, 0, 0x1p-650));
+}
+
+TEST_CASE("A ball and a plane") {
+    const plane floor{{{7, 8, 0}}, {{0, 0, 3}}};
+    expect(hit, stage::filter, at(0, 0, 5, 1, 1, -1), floor);
+    expect(hit, stage::filter, at(0, 0, -5, 1, 1, 1), floor);
+    expect(recede, stage::filter, at(0, 0, 5, 1, 1, 1), floor);
+    expect(overlap, stage::filter, at(0, 0, 0.5, 1, 1, -1), floor);
+
+    expect(hit, stage::exact, at(0, 0, 1, 1, 1, -1), floor); // touching
+    expect(overlap, stage::exact, at(0, 0, down, 1, 1, -1), floor);
+    expect(hit, stage::exact, at(0, 0, up, 1, 1, -1), floor);
+    expect(recede, stage::exact, at(0, 0, 0.5, 1, 1, 0), floor); // inside, parallel
+    expect(recede, stage::exact, at(0, 0, 5, 1, 1, 0), floor);
+    expect(recede, stage::exact, at(0, 0, 0, 1, 1, 5), floor); // the centre on the plane
+    expect(hit, stage::exact, at(0, 0, 5, 1, 1, -1), plane{{{7, 8, 0}}, {{0, 0, 0x1p-600}}});
+
+    const plane slanted{{{0, 0, 0}}, {{1, 2, 2}}}; // |n| = 3
+    expect(hit, stage::exact, at(1, 1, 0, -1, 0, 0), slanted);
+    expect(overlap, stage::exact, at(down, 1, 0, -1, 0, 0), slanted);
+    expect_overlap(true, stage::filter, at(0, 0, 0.5, 1, 1, 0), floor);
+    expect_overlap(false, stage::exact, at(0, 0, -1, 1, 1, 0), floor);
+}
+
+TEST_CASE("A ball and a wall") {
+    const wall square{{{0, 0, 0}}, {{{{4, 0, 0}}, {{0, 4, 0}}}}};
+    expect(hit, stage::filter, at(2, 1, 5, 0.1, 0.1, -1), square);       // the face
+    expect(hit, stage::filter, at(4.5, 2.1, 5, 0.1, 0.1, -1), square);   // an edge
+    expect(hit, stage::filter, at(4.5, 4.5, 5, 0.01, 0.01, -1), square); // a corner
+    expect(miss, stage::filter, at(6, 2.1, 5, 0.1, 0.1, -1), square);
+    expect(recede, stage::filter, at(2, 1, 5, 0.1, 0.1, 1), square);
+    expect(overlap, stage::filter, at(2, 1, 0.5, 0.1, 0.1, -1), square);
+
+    expect(graze::encounter::graze, stage::exact, at(5, 2, 5, 0, 0, -1), square); // an edge
+    expect(hit, stage::exact, at(5 * down, 2, 5, 0, 0, -1), square);
+    expect(miss, stage::exact, at(5 * up, 2, 5, 0, 0, -1), square);
+    expect(graze::encounter::graze, stage::exact, at(9, 2, 1, -1, 0, 0), square); // along the face
+    expect(hit, stage::exact, at(4, 2, 5, 0, 0, -1), square);                     // where face and edge meet
+    expect(hit, stage::exact, at(4, 4, 5, 0, 0, -1), square);                     // where all meet
+    expect(overlap, stage::exact, at(2, 1, down, 0, 0, -1), square);
+    expect(hit, stage::exact, at(2, 1, 1, 0, 0, -1), square);
+    expect(hit, stage::exact, at(4, 4, 5, 0, 0, -1, 0), square); // a point on the corner
+    expect(miss, stage::exact, at(4 * up, 4, 5, 0, 0, -1, 0), square);
+    expect(graze::encounter::graze, stage::exact, at(9, 9, 0, -1, -1, 0, 0), square); // along the wall, at its corner
+    expect_overlap(true, stage::filter, at(2, 1, 0.5, 1, 1, 1), square);
+    expect_overlap(false, stage::exact, at(5, 2, 0, 1, 1, 1), square);
+    expect_overlap(true, stage::exact, at(5 * down, 2, 0, 1, 1, 1), square);
+}
