@@ -19,10 +19,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace compare {
@@ -141,12 +143,18 @@ void check_writable(const std::string& option, const std::string& path) {
 }
 
 void check_outputs(const options& o) {
-    check_writable("--json", o.json);
-    check_writable("--report", o.report);
-    std::error_code error;
-    if (!o.json.empty() && !o.report.empty() &&
-        std::filesystem::weakly_canonical(o.json, error) == std::filesystem::weakly_canonical(o.report, error)) {
-        throw input_error("--json and --report: the same file");
+    const std::array<std::pair<std::string, std::string>, 3> files = {
+        {{"--json", o.json}, {"--report", o.report}, {"--picture", o.picture}}};
+    for (auto one = files.begin(); one != files.end(); ++one) {
+        check_writable(one->first, one->second);
+        for (auto earlier = files.begin(); earlier != one; ++earlier) {
+            std::error_code error;
+            if (!one->second.empty() && !earlier->second.empty() &&
+                std::filesystem::weakly_canonical(earlier->second, error) ==
+                    std::filesystem::weakly_canonical(one->second, error)) {
+                throw input_error(earlier->first + " and " + one->first + ": the same file");
+            }
+        }
     }
 }
 
@@ -180,6 +188,9 @@ int run_comparison(const options& o) {
         write_report(found, o.report);
     }
     std::cout << to_text(found, o.table);
+    if (!o.picture.empty()) { // last: without gnuplot this one fails
+        write_picture(found, o.picture);
+    }
     return 0;
 }
 

@@ -96,6 +96,7 @@ options parse_options(int argc, const char* const* argv) {
         ->check(CLI::Range(0.0, 3600.0));
     app.add_option("--json", o.json, "Write everything to this file");
     app.add_option("--report", o.report, "Write a report in HTML to this file");
+    app.add_option("--picture", o.picture, "Write the report's picture of speed against error alone to this SVG file");
     app.add_flag("--list-types", list_types, "What there is to measure, and what this build lacks");
     app.add_flag("--list-families", list_families, "What there is to draw");
     CLI::App* diff =

@@ -29,7 +29,7 @@ struct options {
     table_options table;
     int digits = 15;
     double timing = 0.5;
-    std::string json, report;
+    std::string json, report, picture;
     std::string old_results, new_results; // of diff
     std::string command;                  // as typed
 };
