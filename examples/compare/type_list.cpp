@@ -18,6 +18,7 @@ std::vector<measurable> all_types() {
 #if COMPARE_HAS_QD
     list.push_back(types::of_double_double());
 #endif
+    list.push_back(types::of_fixed_point());
     list.push_back(types::of_cpp_bin_float_50());
     list.push_back(types::of_cpp_bin_float_100());
     list.push_back(types::of_cpp_dec_float_50());
