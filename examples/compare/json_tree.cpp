@@ -14,6 +14,7 @@ namespace {
 using json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 constexpr std::size_t deepest = 8;
+constexpr std::size_t most_keys = 32;
 
 class tree_builder final : public nlohmann::json_sax<json> {
   public:
@@ -37,6 +38,9 @@ class tree_builder final : public nlohmann::json_sax<json> {
         auto& keys = open_.back()->keys;
         if (std::find(keys.begin(), keys.end(), value) != keys.end()) {
             fail_at(file_, pointer_to(pointer(false), value), "the key occurs twice");
+        }
+        if (keys.size() == most_keys) {
+            fail_at(file_, pointer(false), "an object of more than 32 keys");
         }
         keys.push_back(std::move(value));
         return true;

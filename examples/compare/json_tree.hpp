@@ -19,8 +19,8 @@ struct json_node {
 };
 
 // Throws input_error that names the file and, of a syntax error, line and column (in characters, of the last one read);
-// of a key that occurs twice, or of arrays and objects more than eight deep, the JSON pointer. A UTF-8 byte order mark
-// is skipped.
+// of a key that occurs twice, an object of more than 32 keys, or arrays and objects more than eight deep, the JSON
+// pointer. A UTF-8 byte order mark is skipped.
 [[nodiscard]] json_node parse_json(std::string_view text, const std::string& file);
 
 // The JSON pointer (RFC 6901) of a member of what `pointer` points to.

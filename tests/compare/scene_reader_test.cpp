@@ -142,6 +142,11 @@ TEST_CASE("wrong keys") {
     CHECK(message_for(scene_with{.top = R"(, "dimension": 3)"}) == "s.json: /dimension: the key occurs twice");
     CHECK(message_for(scene_with{.more = R"(, "a/b~c": 2)"}) ==
           "s.json: /balls/1/a~1b~0c: unknown key; known here: position, velocity, radius, mass");
+    std::string many = "{\"k\": 0";
+    for (int i = 0; i < 32; ++i) {
+        many += ", \"k" + std::to_string(i) + "\": 0";
+    }
+    CHECK(message_for(many + "}") == "s.json: an object of more than 32 keys");
     CHECK(message_for(R"({"dimension": 2})") == "s.json: the key \"balls\" is missing");
     CHECK(message_for(R"({"dimension": 2, "balls": [{"position": [0, 0], "radius": 1}]})") ==
           "s.json: /balls/0: the key \"velocity\" is missing");
