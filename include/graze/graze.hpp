@@ -3,5 +3,6 @@
 
 #include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
+#include <graze/predicate/classify_numbers.hpp>
 #include <graze/predicate/overlaps.hpp>
 #include <graze/predicate/time_of_impact.hpp>

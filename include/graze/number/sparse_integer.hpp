@@ -4,6 +4,7 @@
 #include <graze/number/integer.hpp>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace graze {
 
@@ -20,11 +21,11 @@ class sparse_integer {
     static constexpr int bits = Bits;
     static constexpr int capacity = Bits / 64 + 2;
 
-    constexpr sparse_integer() noexcept : count_(0) {}
+    constexpr sparse_integer() noexcept : count_(0) { settle(); }
     constexpr sparse_integer(int value) noexcept : sparse_integer(from_shifted(value, 0)) {}
 
     template <int B>
-    requires(B < Bits) constexpr sparse_integer(const sparse_integer<B>& x) noexcept : count_(0) {
+    requires(B < Bits) constexpr sparse_integer(const sparse_integer<B>& x) noexcept : sparse_integer() {
         for (int i = 0; i < x.count(); ++i) {
             append(x.position(i), x.digit(i));
         }
@@ -59,6 +60,16 @@ class sparse_integer {
     [[nodiscard]] constexpr sparse_integer operator-() const noexcept;
 
   private:
+    // In a constant expression what is copied has a value.
+    constexpr void settle() noexcept {
+        if (std::is_constant_evaluated()) {
+            for (int i = 0; i < capacity; ++i) {
+                position_[i] = 0;
+                digit_[i] = 0;
+            }
+        }
+    }
+
     int count_;
     std::int16_t position_[capacity];
     std::int64_t digit_[capacity];

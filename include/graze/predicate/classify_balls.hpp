@@ -113,6 +113,15 @@ struct exact_encounter {
     }
 };
 
+// 32-bit integers as numbers whose widths the type tracks.
+template <int N>
+[[nodiscard]] constexpr ball<N, integer<32>> as_integers(const ball<N, std::int32_t>& b) noexcept {
+    const auto vector = [](const vec<N, std::int32_t>& x) {
+        return make_vec<N>([&](int i) { return integer<32>(x[i]); });
+    };
+    return {vector(b.position), vector(b.velocity), integer<32>(b.radius)};
+}
+
 } // namespace detail
 
 // Whether two balls meet, exactly, for every finite input. Throws std::domain_error that names the ball and the field
@@ -122,6 +131,14 @@ template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const ball<N, T>& a, const ball<N, T>& b,
                                                                       Observer&& observer = {}) {
+    if constexpr (std::is_same_v<T, std::int32_t>) { // 140 bits are always enough: one path, no branch before the signs
+        if (!detail::plain_radii(a.radius, b.radius)) {
+            detail::check(a, "ball a");
+            detail::check(b, "ball b");
+        }
+        observer(stage::exact);
+        return detail::exact_encounter{}(relative_motion_of(detail::as_integers(a), detail::as_integers(b)));
+    }
     if (!std::is_constant_evaluated()) {
         if (const auto filtered = detail::filter_balls(a, b); filtered.certain) [[likely]] {
             observer(stage::filter);

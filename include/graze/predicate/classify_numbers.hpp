@@ -1,0 +1,70 @@
+// classify for exact number types (rationals, integers of any library): the formulas as they are, which are then
+// decisions.
+#pragma once
+
+#include <graze/formula/solve_wall.hpp>
+#include <graze/number/binary.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace graze {
+
+namespace detail {
+
+template <int N, class T>
+constexpr void require_radius(const ball<N, T>& b, const char* argument) {
+    if (sign(b.radius) < 0) {
+        throw std::domain_error(std::string(argument) + ": radius is negative");
+    }
+}
+
+} // namespace detail
+
+// What becomes of a pair, exactly. Throws std::domain_error for a negative radius, a zero normal, a zero edge or
+// parallel edges.
+template <int N, exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& a, const ball<N, T>& b) {
+    detail::require_radius(a, "ball a");
+    detail::require_radius(b, "ball b");
+    const auto m = relative_motion_of(a, b);
+    const auto q = quadratic_of(m);
+    return encounter_of([&] { return sign(q.h); }, [&] { return sign(q.c); },
+                        [&] { return sign(discriminant_halved{}(q)); });
+}
+template <int N, exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const plane<N, T>& p) {
+    detail::require_radius(b, "ball");
+    const auto m = relative_motion_of(b, p);
+    if (sign(squared_norm(m.n)) == 0) {
+        throw std::domain_error("plane: normal is zero");
+    }
+    return encounter_of([&] { return sign(plane_height{}(m)) * sign(plane_speed{}(m)); },
+                        [&] { return sign(plane_clearance{}(m)); }, [] { return 1; });
+}
+template <int N, exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const wall<N, T>& w) {
+    detail::require_radius(b, "ball");
+    const auto m = relative_motion_of(b, w);
+    for (const auto& e : w.edge) {
+        if (sign(squared_norm(e)) == 0) {
+            throw std::domain_error("wall: edge is zero");
+        }
+    }
+    if (sign(squared_norm(m.n)) == 0) {
+        throw std::domain_error("wall: edges are parallel");
+    }
+    detail::direct_signs<variant::lagrange, T, std::remove_cvref_t<decltype(m)>> signs(m);
+    return wall_decision<N, decltype(signs)>(signs)().what;
+}
+
+// In an inexact type that classify has no proven filter for, the formulas promise nothing.
+template <int N, number T, class Other>
+requires(!is_binary_input<T> && !exact_number<T>) constexpr encounter classify(const ball<N, T>&, const Other&) {
+    static_assert(is_binary_input<T>,
+                  "graze::classify decides exactly, for float, double, std::int32_t, std::int64_t and exact "
+                  "number types; for the formulas in another inexact type call graze::solve");
+    return encounter::recede;
+}
+
+} // namespace graze

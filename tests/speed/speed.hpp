@@ -1,0 +1,95 @@
+// What the benchmarks share: the pairs, and how a comparison is registered.
+#pragma once
+
+#include <families/random.hpp>
+
+#include <graze/graze.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace speed {
+
+using graze::ball;
+
+struct pairs {
+    std::vector<ball<3>> a, b;
+
+    [[nodiscard]] std::size_t size() const { return a.size(); }
+};
+
+// 4096 pairs in space, of which half recede and more than a quarter hit, in random order; their inputs are full
+// doubles.
+[[nodiscard]] const pairs& generic_pairs();
+// Pairs whose lengths have one exponent and whose velocities have one.
+[[nodiscard]] const pairs& like_exponents();
+// Pairs whose every coordinate has an exponent of its own, over the range of doubles.
+[[nodiscard]] const pairs& full_range();
+
+// Registers `group`/`name`: f(i) for each i below count, one item each. The first of a group is what the others are
+// divided by.
+template <class F>
+void compare(const std::string& group, const std::string& name, std::size_t count, F f) {
+    benchmark::RegisterBenchmark((group + '/' + name).c_str(), [count, f](benchmark::State& state) {
+        for (auto _ : state) {
+            for (std::size_t i = 0; i < count; ++i) {
+                benchmark::DoNotOptimize(f(i));
+            }
+        }
+        state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+    });
+}
+
+// The decision by the formulas as they are in T, without a filter: what classify is compared with.
+template <class T>
+[[nodiscard]] inline graze::encounter decide(const ball<3, T>& a, const ball<3, T>& b) {
+    const auto m = graze::relative_motion_of(a, b);
+    const T h = graze::coefficient_h{}(m);
+    if (graze::sign(h) >= 0) {
+        return graze::encounter::recede;
+    }
+    const T c = graze::coefficient_c{}(m);
+    if (graze::sign(c) < 0) {
+        return graze::encounter::overlap;
+    }
+    const T d = graze::discriminant_halved{}(graze::quadratic<T, T, T>{graze::coefficient_a{}(m), h, c});
+    const int s = graze::sign(d);
+    return s < 0 ? graze::encounter::miss : s == 0 ? graze::encounter::graze : graze::encounter::hit;
+}
+
+template <class T>
+[[nodiscard]] ball<3, T> as(const ball<3>& x) {
+    const auto vector = [](const graze::vec<3, double>& v) {
+        return graze::make_vec<3>([&](int i) { return T(v[i]); });
+    };
+    return {vector(x.position), vector(x.velocity), T(x.radius), T(1)};
+}
+
+template <class T>
+struct converted {
+    std::vector<ball<3, T>> a, b;
+    explicit converted(const pairs& p) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            a.push_back(as<T>(p.a[i]));
+            b.push_back(as<T>(p.b[i]));
+        }
+    }
+};
+
+// Registers the decision in T on the given pairs, converted outside the timed loop.
+template <class T>
+void compare_type(const std::string& group, const std::string& name, const pairs& p) {
+    auto inputs = std::make_shared<const converted<T>>(p);
+    compare(group, name, p.size(), [inputs](std::size_t i) { return decide(inputs->a[i], inputs->b[i]); });
+}
+
+void register_decisions();
+void register_orders();
+void register_cgal(); // where CGAL is there
+
+} // namespace speed
