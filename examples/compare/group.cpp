@@ -44,10 +44,13 @@ struct condition_samples {
 } // namespace
 
 template <int N>
-group make_group(group_information information, std::vector<problem<N>> problems) {
+group make_group(group_information information, std::vector<problem<N>> problems, const progress_line& line) {
     std::vector<truth> truths;
     truths.reserve(problems.size());
     for (const problem<N>& pair : problems) {
+        if (truths.size() % 64 == 0) {
+            line.show("solving " + information.name + " exactly", truths.size(), problems.size());
+        }
         truths.push_back(truth_of(pair));
     }
     information.dimension = N;
@@ -87,7 +90,7 @@ group make_group(group_information information, std::vector<problem<N>> problems
     return {std::move(information), std::move(pairs)};
 }
 
-template group make_group(group_information, std::vector<problem<2>>);
-template group make_group(group_information, std::vector<problem<3>>);
+template group make_group(group_information, std::vector<problem<2>>, const progress_line&);
+template group make_group(group_information, std::vector<problem<3>>, const progress_line&);
 
 } // namespace compare

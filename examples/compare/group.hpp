@@ -1,6 +1,7 @@
 // Pairs that are measured together, with their truth.
 #pragma once
 
+#include "progress.hpp"
 #include "results.hpp"
 #include "truth.hpp"
 
@@ -24,6 +25,7 @@ struct group {
 // Solves the pairs exactly, orders them and fills in what information says of them: dimension, pairs, kinds,
 // encounters, conditions. pairs_of is left alone.
 template <int N>
-[[nodiscard]] group make_group(group_information information, std::vector<problem<N>> problems);
+[[nodiscard]] group make_group(group_information information, std::vector<problem<N>> problems,
+                               const progress_line& line);
 
 } // namespace compare

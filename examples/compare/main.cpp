@@ -1,14 +1,13 @@
 // graze-compare: what each number type costs and loses on the collisions of a scene.
 
 #include "answer.hpp"
-#include "default_scene.hpp"
 #include "diff.hpp"
 #include "families.hpp"
 #include "input_error.hpp"
+#include "inputs.hpp"
 #include "json_results.hpp"
 #include "machine.hpp"
 #include "options.hpp"
-#include "pairs.hpp"
 #include "report.hpp"
 #include "run.hpp"
 #include "stopwatch.hpp"
@@ -32,66 +31,6 @@ namespace compare {
 namespace {
 
 constexpr int worse = 1, failed = 2;
-
-template <int N>
-group group_of(std::string name, std::string description, std::string hardness, std::vector<problem<N>> pairs,
-               std::size_t of) {
-    group_information information;
-    information.name = std::move(name);
-    information.description = std::move(description);
-    information.hardness_name = std::move(hardness);
-    information.pairs_of = of;
-    return make_group(std::move(information), std::move(pairs));
-}
-
-template <int N>
-group family_group(const std::string& name, std::vector<problem<N>> pairs) {
-    for (const family_description& f : family_list()) {
-        if (f.name == name) {
-            const std::size_t all = pairs.size();
-            return group_of(name, f.what_makes_it_hard, f.hardness_meaning, std::move(pairs), all);
-        }
-    }
-    throw std::logic_error("a family without a description: " + name);
-}
-
-std::vector<group> default_groups(const options& o) {
-    const scene_file file = read_scene_text(default_scene_text(), "the embedded scene", o.numbers);
-    std::vector<problem<2>> pairs = default_pairs(o.numbers, o.seed).pairs;
-    std::vector<group> groups;
-    for (auto first = pairs.begin(); first != pairs.end();) {
-        const auto last = std::find_if(first, pairs.end(), [&](const auto& p) { return p.group != first->group; });
-        const std::string name = first->group;
-        std::vector<problem<2>> part(std::make_move_iterator(first), std::make_move_iterator(last));
-        const std::size_t all = part.size();
-        groups.push_back(name == file.name ? group_of(name, file.description, "", std::move(part), all)
-                                           : family_group(name, std::move(part)));
-        first = last;
-    }
-    return groups;
-}
-
-std::vector<group> groups_of(const options& o) {
-    std::vector<group> groups;
-    if (!o.family.empty()) {
-        groups.push_back(o.dimension == 2 ? family_group(o.family, draw_family<2>(o.family, o.count, o.seed))
-                                          : family_group(o.family, draw_family<3>(o.family, o.count, o.seed)));
-    } else if (!o.scene.empty()) {
-        const scene_file file = read_scene(o.scene, o.numbers);
-        groups.push_back(std::visit(
-            [&]<int N>(const exact_scene<N>& scene) {
-                scene_pairs<N> drawn = pairs_of(scene, file.name, o.all ? every_pair : sample_size, o.seed);
-                if (drawn.pairs.empty()) {
-                    throw input_error(o.scene + ": no two things that could meet");
-                }
-                return group_of(file.name, file.description, "", std::move(drawn.pairs), drawn.total);
-            },
-            file.scene));
-    } else {
-        groups = default_groups(o);
-    }
-    return groups;
-}
 
 // In the order of the list, each once; another name stands for what it names.
 std::vector<measurable> types_of(const options& o) {
@@ -161,9 +100,10 @@ void check_outputs(const options& o) {
 int run_comparison(const options& o) {
     check_outputs(o);
     const stopwatch watch;
+    const progress_line line(::isatty(STDERR_FILENO) != 0);
     results found;
     const std::vector<measurable> types = types_of(o);
-    const std::vector<group> groups = groups_of(o);
+    const std::vector<group> groups = groups_of(o, line);
     found.command = o.command;
     found.machine = this_machine();
     found.source = !o.family.empty() ? "family " + o.family : !o.scene.empty() ? o.scene : "default";
@@ -178,7 +118,8 @@ int run_comparison(const options& o) {
     plan.methods = o.methods;
     plan.every_pair = o.all;
     plan.timing_seconds = o.timing;
-    measure_all(found, types, groups, plan, ::isatty(STDERR_FILENO) != 0);
+    measure_all(found, types, groups, plan, line);
+    line.show("");
     draw_conclusions(found);
     found.seconds = watch.seconds();
     if (!o.json.empty()) {

@@ -43,6 +43,8 @@ std::vector<quantity> quantities_of(const std::vector<std::string>& names) {
     return chosen;
 }
 
+const CLI::Validator named([](const std::string& name) { return name.empty() ? "an empty name" : std::string(); }, "");
+
 std::string one_line(std::string text) {
     for (char& c : text) {
         c = c == '\n' ? ' ' : c;
@@ -64,7 +66,8 @@ options parse_options(int argc, const char* const* argv) {
     std::string as = "double";
     bool list_types = false, list_families = false;
     const auto taking_one = CLI::MultiOptionPolicy::Throw;
-    auto* scene = app.add_option("scene,--scene", o.scene, "A scene file in JSON")->multi_option_policy(taking_one);
+    auto* scene =
+        app.add_option("scene,--scene", o.scene, "A scene file in JSON")->check(named)->multi_option_policy(taking_one);
     auto* family =
         app.add_option("--family", o.family, "Draw a family of hard pairs instead (--list-families)")->excludes(scene);
     app.add_option("--count", o.count, "How many pairs of the family")
@@ -94,9 +97,10 @@ options parse_options(int argc, const char* const* argv) {
     app.add_option("--timing", o.timing, "Seconds to spend on a type's times in a group; 0: nothing is timed")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--json", o.json, "Write everything to this file");
-    app.add_option("--report", o.report, "Write a report in HTML to this file");
-    app.add_option("--picture", o.picture, "Write the report's picture of speed against error alone to this SVG file");
+    app.add_option("--json", o.json, "Write everything to this file")->check(named);
+    app.add_option("--report", o.report, "Write a report in HTML to this file")->check(named);
+    app.add_option("--picture", o.picture, "Write the report's picture of speed against error alone to this SVG file")
+        ->check(named);
     app.add_flag("--list-types", list_types, "What there is to measure, and what this build lacks");
     app.add_flag("--list-families", list_families, "What there is to draw");
     CLI::App* diff =
