@@ -12,6 +12,7 @@ add_library(compare_input STATIC
   ${CMAKE_CURRENT_LIST_DIR}/integer_pairs.cpp
   ${CMAKE_CURRENT_LIST_DIR}/families.cpp
   ${CMAKE_CURRENT_LIST_DIR}/json_tree.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/json_value.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pairs.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rounding.cpp
   ${CMAKE_CURRENT_LIST_DIR}/scene_reader.cpp

@@ -74,8 +74,8 @@ problem<N> make_problem(const exact_scene<N>& scene, pair_kind kind, std::size_t
 void share_out(std::array<stratum, kinds * encounters>& strata, std::uint64_t largest) {
     std::array<stratum*, kinds * encounters> by_size{};
     std::transform(strata.begin(), strata.end(), by_size.begin(), [](stratum& s) { return &s; });
-    std::stable_sort(by_size.begin(), by_size.end(),
-                     [](const stratum* x, const stratum* y) { return x->total < y->total; });
+    std::sort(by_size.begin(), by_size.end(),
+              [](const stratum* x, const stratum* y) { return x->total != y->total ? x->total < y->total : x < y; });
     std::uint64_t left = by_size.size();
     for (stratum* s : by_size) {
         s->taken = std::min(s->total, largest / left);

@@ -178,6 +178,10 @@ TEST_CASE("wrong values") {
     CHECK(message_for(R"({"dimension": 2, "balls": []})") == "s.json: /balls: no balls");
     CHECK(message_for(R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [0, 0], "radius": 1}]})") ==
           "s.json: /balls: one ball and nothing that it could meet");
+    CHECK(
+        message_for(R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [0, 0], "radius": 1, "mass": "inf"},
+                                                   {"position": [5, 0], "velocity": [0, 0], "radius": 1, "mass": "inf"}]})") ==
+        "s.json: /balls: two infinite masses have no collision, and there is nothing else to meet");
     CHECK(message_for(scene_with{.velocity = "[1, 0]"}) ==
           "s.json: /balls/1/velocity: a vector of 2 components in a scene of dimension 3");
     CHECK(message_for(scene_with{.radius = "-1"}) == "s.json: /balls/1/radius: a negative radius");
