@@ -11,10 +11,13 @@
 
 namespace graze::detail {
 
-// 0 <= lower <= τ <= upper.
+// 0 <= lower <= τ <= upper. An upper bound that is not known is the largest double: no lower bound and no time in T is
+// above it. An infinity would be no value at all under -ffast-math.
 struct enclosure {
+    static constexpr double unknown = std::numeric_limits<double>::max();
+
     double lower = 0;
-    double upper = std::numeric_limits<double>::infinity();
+    double upper = unknown;
 };
 
 // A quotient and a root that have been checked by products. Neither the hardware's rounding nor an estimate that the

@@ -59,7 +59,7 @@ requires is_binary_input<T>
             using constant = detail::ball_filter<N, T>;
             const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
                                                 (constant::discriminant + constant::h) * f.scale);
-            if (bounds.upper < std::numeric_limits<double>::infinity()) [[likely]] {
+            if (bounds.upper < detail::enclosure::unknown) [[likely]] {
                 return detail::make_time(event(what), bounds);
             }
             return detail::enclosed_exactly(event(what));
