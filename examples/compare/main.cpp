@@ -71,7 +71,7 @@ void check_writable(const std::string& option, const std::string& path) {
         }
         return;
     }
-    const fs::path real = fs::weakly_canonical(path, error);
+    const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
     const fs::path folder = error ? fs::path() : real.parent_path();
     if (!fs::is_directory(folder, error)) {
         throw input_error(option + " " + printable(path, 200) + ": no such directory");
