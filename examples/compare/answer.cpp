@@ -53,15 +53,27 @@ void mark_front(results& found) {
     }
 }
 
+// Times within this ratio are the same, as far as one run can tell.
+constexpr double same_time = 1.1;
+
+// The cheapest type, in the most precise of its variants that cost about the same.
 template <class Good>
 std::optional<choice> cheapest(const std::vector<overall>& candidates, Good good) {
-    std::optional<choice> best;
+    const auto qualifies = [&](const overall& o) { return o.complete && o.how.nanoseconds < infinity && good(o); };
+    const overall* least = nullptr;
     for (const overall& o : candidates) {
-        if (o.complete && o.how.nanoseconds < infinity && good(o) && (!best || o.how.nanoseconds < best->nanoseconds)) {
-            best = o.how;
+        if (qualifies(o) && (least == nullptr || o.how.nanoseconds < least->how.nanoseconds)) {
+            least = &o;
         }
     }
-    return best;
+    const overall* best = least;
+    for (const overall& o : candidates) {
+        if (qualifies(o) && o.how.type == least->how.type && o.how.nanoseconds <= same_time * least->how.nanoseconds &&
+            o.fewest_bits > best->fewest_bits) {
+            best = &o;
+        }
+    }
+    return best == nullptr ? std::nullopt : std::optional<choice>(best->how);
 }
 
 std::string in_words(const choice& c) {

@@ -13,6 +13,11 @@ const char* name_of(pair_kind kind) {
 // A defect that is not zero can't be smaller in any type that wide holds: it would need more digits than they have.
 constexpr long least_defect = -880;
 
+bool is_exactly(const computed& given, const true_value& right) {
+    return std::holds_alternative<exactly_right>(given.value()) ||
+           (std::holds_alternative<exact_real>(given.value()) && *distance(given, right) == 0);
+}
+
 double relative(const wide& defect, const wide& size) {
     if (defect == 0 || exponent_of(defect) < exponent_of(size) + least_defect) {
         return 0.0;
@@ -108,8 +113,7 @@ void row_score::add_conservation(const answer& given, const truth& right) {
         if (std::holds_alternative<interval>(v.value()) || std::holds_alternative<not_finite>(v.value())) {
             return;
         }
-        exact_answer = exact_answer && std::holds_alternative<exact_real>(v.value()) &&
-                       distance(v, right.velocities[i]) == std::optional<wide>(wide(0));
+        exact_answer = exact_answer && is_exactly(v, right.velocities[i]);
     }
     const auto dimension = static_cast<std::size_t>(before.dimension);
     wide gained = 0, energy = 0, lost = 0, momentum = 0;
@@ -118,7 +122,7 @@ void row_score::add_conservation(const answer& given, const truth& right) {
         for (std::size_t i = 0; i < given.velocities.size(); ++i) {
             const wide& mass = i < dimension ? before.mass_a : before.mass_b;
             const wide& u = before.velocities[i];
-            const wide v = middle(given.velocities[i]);
+            const wide v = middle(given.velocities[i], right.velocities[i]);
             energy += mass * u * u;
             gained += mass * (v * v - u * u);
             kick[i % dimension] += mass * (v - u);

@@ -13,6 +13,7 @@ namespace compare {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double notable_bits = 1.0; // less is not worth a line among the best
 
 std::string percent(std::size_t part, std::size_t whole) {
     if (whole == 0) {
@@ -55,19 +56,18 @@ std::string heading(const results& found) {
         << (found.as == "exact" ? "as written" : "rounded to double first") << "\n";
     out << found.machine.compiler << " " << found.machine.flags << ", " << found.machine.processor << "\n\n";
     for (const group_information& g : found.groups) {
-        out << g.name << " (" << g.dimension << "D): " << g.pairs;
+        std::string text = g.name + " (" + std::to_string(g.dimension) + "D): " + std::to_string(g.pairs);
         if (g.pairs_of > g.pairs) {
-            out << " pairs, a sample of " << g.pairs_of << " (seed " << found.seed << "; --all takes every pair)";
+            text += " pairs, a sample of " + std::to_string(g.pairs_of) + " (seed " + std::to_string(found.seed) +
+                    "; --all takes every pair)";
         } else {
-            out << (g.pairs == 1 ? " pair" : " pairs");
+            text += g.pairs == 1 ? " pair" : " pairs";
         }
-        out << ": " << list_of(g.kinds) << "; in truth " << list_of(g.encounters) << "\n";
-        if (!g.description.empty()) {
-            out << "  " << g.description << "\n";
-        }
+        text += ": " + list_of(g.kinds) + "; in truth " + list_of(g.encounters);
+        out << wrapped(text) << (g.description.empty() ? "" : wrapped(g.description, "  "));
     }
     for (const missing_type& m : found.missing) {
-        out << "Not in this build: " << m.name << " (" << m.reason << ").\n";
+        out << wrapped("Not in this build: " + m.name + " (" + m.reason + ").");
     }
     return out.str() + "\n";
 }
@@ -168,7 +168,7 @@ std::string front_table(const results& found) {
             return static_cast<double>(x.wrong) / static_cast<double>(std::max<std::size_t>(x.evaluated, 1));
         };
         const bool better = best == nullptr || share(o) < share(*best) ||
-                            (share(o) == share(*best) && o.fewest_bits > best->fewest_bits);
+                            (share(o) == share(*best) && o.fewest_bits > best->fewest_bits + notable_bits);
         if (!better || !o.complete) {
             continue;
         }
@@ -216,7 +216,7 @@ std::string types_table(const results& found) {
         }
         cells.push_back(kept > 0 ? short_number(momentum) : "-");
         cells.push_back(kept > 0 ? short_number(energy) : "-");
-        cells.push_back(t.alias_of.empty() ? t.note : "another name of " + t.alias_of + " (not counted)");
+        cells.push_back(t.alias_of.empty() ? "" : "another name of " + t.alias_of + ", not counted");
         table.line(std::move(cells));
     }
     return table.text();
@@ -249,7 +249,7 @@ std::string to_text(const results& found, const table_options& options) {
             << main_table(found, shown, options.every_row) << "\n";
     }
     out << "Best trade-offs over all pairs (nothing faster is better)\n\n" << front_table(found) << "\n";
-    out << found.sentence << "\n";
+    out << wrapped(found.sentence);
     return out.str();
 }
 

@@ -32,6 +32,21 @@ std::size_t width_of(const std::string& text) {
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
+std::string wrapped(const std::string& text, const std::string& indent, std::size_t width) {
+    std::string result, line = indent;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string word = text.substr(at, end - at);
+        if (width_of(line) > width_of(indent) && width_of(line) + 1 + width_of(word) > width) {
+            result += line + "\n";
+            line = indent;
+        }
+        line += (line == indent ? "" : " ") + word;
+        at = end + 1;
+    }
+    return result + line + "\n";
+}
+
 std::string short_number(double x) {
     if (std::isinf(x)) {
         return x > 0 ? "inf" : "-inf";

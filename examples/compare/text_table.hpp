@@ -31,6 +31,9 @@ class text_table {
 // The width on a terminal of UTF-8 text without wide or combining characters.
 [[nodiscard]] std::size_t width_of(const std::string& text);
 
+// Broken at spaces into lines of at most `width` where that is possible, each after `indent`.
+[[nodiscard]] std::string wrapped(const std::string& text, const std::string& indent = "", std::size_t width = 110);
+
 // In at most six characters or so: 0, 0.50, 17, 4.1e5, 3e-17, inf.
 [[nodiscard]] std::string short_number(double x);
 

@@ -13,16 +13,12 @@ computed::computed(wide x) : value_(std::move(x)) {}
 computed::computed(exact_real x) : value_(std::move(x)) {}
 computed::computed(interval x) : value_(std::move(x)) {}
 computed::computed(not_finite x) : value_(x) {}
+computed::computed(exactly_right x) : value_(x) {}
 computed::computed(const computed& other) = default;
 computed::computed(computed&& other) noexcept = default;
 computed& computed::operator=(const computed& other) = default;
 computed& computed::operator=(computed&& other) noexcept = default;
 computed::~computed() = default;
-
-computed with_root(const computed& p, const computed& q, const computed& d) {
-    const auto rational = [](const computed& x) { return std::get<exact_real>(x.value()).p(); };
-    return exact_real(rational(p), rational(q), rational(d));
-}
 
 namespace {
 
@@ -46,6 +42,15 @@ bool rational_root(const exact& d, exact& root) {
 
 int sign(const exact& x) { return x.sign(); }
 
+// Whether q²d is the same of both; in integers, because reducing the fractions is what costs.
+bool same_square(const exact_real& x, const exact_real& y) {
+    const auto side = [](const exact_real& above, const exact_real& below) -> exact_integer {
+        const exact_integer q = numerator(above.q()), r = denominator(below.q());
+        return q * q * numerator(above.d()) * r * r * denominator(below.d());
+    };
+    return side(x, y) == side(y, x);
+}
+
 } // namespace
 
 exact_real simplified(const exact_real& x) {
@@ -57,7 +62,11 @@ exact_real simplified(const exact_real& x) {
 }
 
 bool equal(const exact_real& x, const exact_real& y) {
-    if (x.p() == y.p() && x.q() == y.q() && (sign(x.q()) == 0 || x.d() == y.d())) {
+    const bool same_p = x.p() == y.p();
+    if (same_p && x.q() == y.q() && (sign(x.q()) == 0 || x.d() == y.d())) {
+        return true;
+    }
+    if (same_p && sign(x.q()) == sign(y.q()) && same_square(x, y)) {
         return true;
     }
     const exact_real a = simplified(x), b = simplified(y);
@@ -130,6 +139,9 @@ std::optional<wide> distance(const computed& x, const true_value& t) {
         root_memory roots;
         return certified(to_wide(*real, roots) - t.value(), t);
     }
+    if (std::holds_alternative<exactly_right>(x.value())) {
+        return wide(0);
+    }
     if (const interval* between = std::get_if<interval>(&x.value())) {
         const wide low = certified(between->low - t.value(), t), high = certified(between->high - t.value(), t);
         return low > high ? low : high;
@@ -151,7 +163,7 @@ bool rounds_correctly(const computed& x, const true_value& t) {
     if (const interval* between = std::get_if<interval>(&x.value())) {
         return nearest_double(between->low) == t.nearest() && nearest_double(between->high) == t.nearest();
     }
-    return false;
+    return std::holds_alternative<exactly_right>(x.value());
 }
 
 bool encloses(const interval& x, const true_value& t) {
@@ -162,7 +174,7 @@ bool encloses(const interval& x, const true_value& t) {
     return (t.value() - x.low > room || side(x.low) >= 0) && (x.high - t.value() > room || side(x.high) <= 0);
 }
 
-wide middle(const computed& x) {
+wide middle(const computed& x, const true_value& t) {
     if (const wide* number = std::get_if<wide>(&x.value())) {
         return *number;
     }
@@ -173,7 +185,7 @@ wide middle(const computed& x) {
     if (const interval* between = std::get_if<interval>(&x.value())) {
         return (between->low + between->high) / wide(2);
     }
-    return std::numeric_limits<wide>::quiet_NaN();
+    return std::holds_alternative<exactly_right>(x.value()) ? t.value() : std::numeric_limits<wide>::quiet_NaN();
 }
 
 } // namespace compare

@@ -50,6 +50,7 @@ class true_value {
 
 // What a number type computed, exactly, in one of the forms that types have.
 struct not_finite {};
+struct exactly_right {}; // the exact value itself
 struct interval {
     wide low, high;
 };
@@ -57,12 +58,13 @@ struct interval {
 // Its members are not inline, so that they are compiled once and not in every number type's translation unit.
 class computed {
   public:
-    using value_type = std::variant<wide, exact_real, interval, not_finite>;
+    using value_type = std::variant<wide, exact_real, interval, not_finite, exactly_right>;
 
     computed(wide x);
     computed(exact_real x);
     computed(interval x);
     computed(not_finite x);
+    computed(exactly_right x);
     computed(const computed& other);
     computed(computed&& other) noexcept;
     computed& operator=(const computed& other);
@@ -75,9 +77,6 @@ class computed {
     value_type value_;
 };
 
-// p + q√d of rational p, q and d.
-[[nodiscard]] computed with_root(const computed& p, const computed& q, const computed& d);
-
 // |x - t|, of an interval that of its farther end; 0 exactly when x is t. Certified: a relative error below 2^-100,
 // or, where x agrees with an irrational t to 2^-780, that much of t as an upper bound. Empty when x is not finite.
 [[nodiscard]] std::optional<wide> distance(const computed& x, const true_value& t);
@@ -88,7 +87,7 @@ class computed {
 // Whether t lies in the interval x.
 [[nodiscard]] bool encloses(const interval& x, const true_value& t);
 
-// An approximation of x to at least 2^-880; of an interval its middle.
-[[nodiscard]] wide middle(const computed& x);
+// An approximation of x, which stands for t, to at least 2^-880; of an interval its middle.
+[[nodiscard]] wide middle(const computed& x, const true_value& t);
 
 } // namespace compare

@@ -37,7 +37,7 @@ template <>
 struct reader<CORE::Expr> {
     [[nodiscard]] static computed read(const CORE::Expr& x, const true_value& right) {
         if (x == expression_of(right.exactly())) {
-            return right.exactly();
+            return exactly_right{};
         }
         return approximation_of(x);
     }

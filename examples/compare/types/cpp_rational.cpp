@@ -4,8 +4,8 @@
 namespace compare {
 
 template <>
-struct reader<exact> {
-    [[nodiscard]] static computed read(const exact& x, const true_value&) { return exact_real(x); }
+struct reader<exact> : exact_reader<exact> {
+    [[nodiscard]] static exact value_of(const exact& x) { return x; }
 };
 
 namespace types {

@@ -23,9 +23,7 @@ struct converter<fixed_point> {
 
 template <>
 struct reader<fixed_point> {
-    [[nodiscard]] static computed read(fixed_point x, const true_value&) {
-        return wide(ldexp(wide(x.raw()), -32));
-    }
+    [[nodiscard]] static computed read(fixed_point x, const true_value&) { return wide(ldexp(wide(x.raw()), -32)); }
 };
 
 namespace types {

@@ -18,10 +18,8 @@ struct converter<CGAL::Gmpq> {
 };
 
 template <>
-struct reader<CGAL::Gmpq> {
-    [[nodiscard]] static computed read(const CGAL::Gmpq& x, const true_value&) {
-        return exact_real(rational_of(x.mpq()));
-    }
+struct reader<CGAL::Gmpq> : exact_reader<CGAL::Gmpq> {
+    [[nodiscard]] static exact value_of(const CGAL::Gmpq& x) { return rational_of(x.mpq()); }
 };
 
 namespace types {

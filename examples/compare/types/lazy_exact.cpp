@@ -20,10 +20,8 @@ struct converter<lazy_exact> {
 };
 
 template <>
-struct reader<lazy_exact> {
-    [[nodiscard]] static computed read(const lazy_exact& x, const true_value&) {
-        return exact_real(rational_of(x.exact().backend().data()));
-    }
+struct reader<lazy_exact> : exact_reader<lazy_exact> {
+    [[nodiscard]] static exact value_of(const lazy_exact& x) { return rational_of(x.exact().backend().data()); }
     static void settle(const lazy_exact& x) { static_cast<void>(CGAL::to_double(x)); }
 };
 

@@ -16,10 +16,8 @@ struct converter<graze::gmp_rational> {
 };
 
 template <>
-struct reader<graze::gmp_rational> {
-    [[nodiscard]] static computed read(const graze::gmp_rational& x, const true_value&) {
-        return exact_real(rational_of(x.value().get_mpq_t()));
-    }
+struct reader<graze::gmp_rational> : exact_reader<graze::gmp_rational> {
+    [[nodiscard]] static exact value_of(const graze::gmp_rational& x) { return rational_of(x.value().get_mpq_t()); }
 };
 
 namespace types {

@@ -18,10 +18,8 @@ struct converter<mpq_rational> {
 };
 
 template <>
-struct reader<mpq_rational> {
-    [[nodiscard]] static computed read(const mpq_rational& x, const true_value&) {
-        return exact_real(rational_of(x.backend().data()));
-    }
+struct reader<mpq_rational> : exact_reader<mpq_rational> {
+    [[nodiscard]] static exact value_of(const mpq_rational& x) { return rational_of(x.backend().data()); }
 };
 
 namespace types {
