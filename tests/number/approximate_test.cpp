@@ -1,0 +1,78 @@
+// Wide integers as doubles: within 4u of the integer, in every rounding mode.
+#include "wide_values.hpp"
+
+#include <graze/number/approximate.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+mpq_class value(const graze::scaled_double& x) {
+    const mpz_class p = wide::power(std::abs(x.exponent));
+    return mpq_class(x.significand) * (x.exponent < 0 ? mpq_class(1, p) : mpq_class(p));
+}
+
+// u is 2^-52, which holds in every rounding mode.
+template <class I>
+void check(const I& x, const mpz_class& truth) {
+    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const graze::scaled_double y = graze::approximate(x);
+        std::fesetround(FE_TONEAREST);
+        RC_ASSERT(abs(value(y) - truth) * wide::power(50) <= abs(truth));
+        RC_ASSERT(std::fabs(y.significand) < 0x1p65);
+        RC_ASSERT(truth == 0 || std::fabs(y.significand) >= 0x1p-66);
+    }
+}
+
+template <int Bits>
+void check_integer() {
+    const mpz_class truth = wide::any(*rc::gen::inRange(1, Bits + 1));
+    graze::integer<Bits> x;
+    for (int i = 0; i < graze::integer<Bits>::limbs; ++i) {
+        x.set_limb(i, wide::low_word(mpz_class(truth >> static_cast<unsigned long>(64 * i))));
+    }
+    check(x, truth);
+}
+
+void check_sparse() {
+    graze::sparse_integer<2098> x;
+    mpz_class truth;
+    const int top = *rc::gen::inRange(0, 31);
+    for (int position = 0; position <= top; ++position) {
+        const bool last = position == top;
+        const auto digit =
+            last || *rc::gen::arbitrary<bool>()
+                ? *rc::gen::element(std::int64_t{1}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::min(),
+                                    std::numeric_limits<std::int64_t>::max(),
+                                    static_cast<std::int64_t>(wide::any_word()))
+                : 0;
+        x.append(position, digit);
+        truth += wide::from_signed(digit) << static_cast<unsigned long>(64 * position);
+    }
+    check(x, truth);
+}
+
+} // namespace
+
+TEST_CASE("Wide integers as doubles") {
+    CHECK(rc::check(check_integer<61>));
+    CHECK(rc::check(check_integer<64>));
+    CHECK(rc::check(check_integer<128>));
+    CHECK(rc::check(check_integer<517>));
+    CHECK(rc::check(check_sparse));
+    CHECK(graze::approximate(graze::integer<200>()).significand == 0);
+    CHECK(graze::approximate(graze::sparse_integer<200>()).significand == 0);
+}
+
+TEST_CASE("Powers of two") {
+    int wrong = 0;
+    for (int e = -1022; e <= 1023; ++e) {
+        wrong += graze::power_of_two(e) == std::ldexp(1.0, e) ? 0 : 1;
+    }
+    CHECK(wrong == 0);
+}

@@ -1,0 +1,17 @@
+# The library's own integers, against GMP. The portable products are tried in place of the machine's 128-bit ones.
+function(graze_add_integer_test name source)
+    graze_add_test(number_${name} SOURCES ${source} LIBRARIES graze_number_gmp rapidcheck)
+    target_compile_options(number_${name} PRIVATE $<$<CONFIG:Release>:-O0> ${ARGN})
+    set_tests_properties(number_${name} PROPERTIES ENVIRONMENT "RC_PARAMS=max_success=500")
+endfunction()
+
+if(TARGET graze_number_gmp)
+    graze_add_integer_test(wide_multiply wide_multiply_test.cpp)
+    graze_add_integer_test(wide_multiply_portable wide_multiply_test.cpp -U__SIZEOF_INT128__)
+    graze_add_integer_test(integer integer_test.cpp)
+    graze_add_integer_test(integer_portable integer_test.cpp -U__SIZEOF_INT128__)
+    graze_add_integer_test(sparse_integer sparse_integer_test.cpp)
+    graze_add_integer_test(sparse_integer_portable sparse_integer_test.cpp -U__SIZEOF_INT128__)
+    graze_add_integer_test(binary binary_test.cpp)
+    graze_add_integer_test(approximate approximate_test.cpp -frounding-math)
+endif()
