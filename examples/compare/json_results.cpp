@@ -232,7 +232,7 @@ results read_results(const std::string& path) {
     if (!in) {
         throw input_error(path + ": cannot be read");
     }
-    const json_node root = parse_json(text, path);
+    const json_node root = parse_json(text, path, 4096); // a histogram may have a key for every power of two
     const place top{path, ""};
     need(root, json_type::object, "an object", top);
     std::string schema;

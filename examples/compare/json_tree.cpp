@@ -14,11 +14,11 @@ namespace {
 using json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 constexpr std::size_t deepest = 8;
-constexpr std::size_t most_keys = 32;
 
 class tree_builder final : public nlohmann::json_sax<json> {
   public:
-    tree_builder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+    tree_builder(std::string_view text, const std::string& file, std::size_t most_keys)
+        : text_(text), file_(file), most_keys_(most_keys) {}
 
     [[nodiscard]] json_node take() { return std::move(root_); }
 
@@ -39,8 +39,8 @@ class tree_builder final : public nlohmann::json_sax<json> {
         if (std::find(keys.begin(), keys.end(), value) != keys.end()) {
             fail_at(file_, pointer_to(pointer(false), value), "the key occurs twice");
         }
-        if (keys.size() == most_keys) {
-            fail_at(file_, pointer(false), "an object of more than 32 keys");
+        if (keys.size() == most_keys_) {
+            fail_at(file_, pointer(false), "an object of more than " + std::to_string(most_keys_) + " keys");
         }
         keys.push_back(std::move(value));
         return true;
@@ -113,13 +113,14 @@ class tree_builder final : public nlohmann::json_sax<json> {
 
     std::string_view text_;
     const std::string& file_;
+    std::size_t most_keys_;
     json_node root_;
     std::vector<json_node*> open_;
 };
 
 } // namespace
 
-json_node parse_json(std::string_view text, const std::string& file) {
+json_node parse_json(std::string_view text, const std::string& file, std::size_t most_keys) {
     const bool utf16 = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
     if (utf16 || text.find('\0') != std::string_view::npos) {
         throw input_error(printable(file, 4096) + ": is not JSON text in UTF-8");
@@ -127,7 +128,7 @@ json_node parse_json(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n", text.starts_with("\xef\xbb\xbf") ? 3 : 0) == std::string_view::npos) {
         throw input_error(printable(file, 4096) + ": is empty");
     }
-    tree_builder builder(text, file);
+    tree_builder builder(text, file, most_keys);
     json::sax_parse(text, &builder);
     return builder.take();
 }

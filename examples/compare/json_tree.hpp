@@ -3,6 +3,7 @@
 
 #include "input_error.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,9 +20,9 @@ struct json_node {
 };
 
 // Throws input_error that names the file and, of a syntax error, line and column (in characters, of the last one read);
-// of a key that occurs twice, an object of more than 32 keys, or arrays and objects more than eight deep, the JSON
-// pointer. A UTF-8 byte order mark is skipped.
-[[nodiscard]] json_node parse_json(std::string_view text, const std::string& file);
+// of a key that occurs twice, an object of more than most_keys keys, or arrays and objects more than eight deep, the
+// JSON pointer. A UTF-8 byte order mark is skipped.
+[[nodiscard]] json_node parse_json(std::string_view text, const std::string& file, std::size_t most_keys = 32);
 
 // The JSON pointer (RFC 6901) of a member of what `pointer` points to.
 [[nodiscard]] std::string pointer_to(const std::string& pointer, const std::string& key);
