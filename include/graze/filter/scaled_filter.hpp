@@ -4,6 +4,8 @@
 
 #include <graze/filter/static_filter.hpp>
 
+#include <type_traits>
+
 namespace graze {
 
 // Upper bounds of the norms of a motion's lengths, velocities and normals; sums of magnitudes, so that no root is
@@ -26,12 +28,15 @@ template <int N>
 
 // In these ranges no formula of degree up to 12 in lengths, 4 in velocities and 6 in normals over- or underflows:
 // products of scales stay within 2^±800, and what is flushed to zero (below 2^-1022 a time) is less than 2^-150 of
-// them, which the slack of the constants (2^-92 of them) covers. A NaN or an infinity among the inputs is out of range
-// as well.
+// them, which the slack of the constants (2^-92 of them) covers. A float input that is subnormal may be flushed when it
+// becomes a double, so that scales of floats start higher. A NaN or an infinity among the inputs is out of range as
+// well.
+template <class T>
 [[nodiscard]] constexpr bool usable(const magnitudes& s) noexcept {
-    return static_cast<unsigned>(detail::within_powers<50>(s.length)) &
-           static_cast<unsigned>(detail::within_powers<50>(s.velocity)) &
-           static_cast<unsigned>(detail::within_powers<50>(s.normal));
+    constexpr int low = std::is_same_v<T, float> ? -30 : -50;
+    return static_cast<unsigned>(detail::within_powers<low, 50>(s.length)) &
+           static_cast<unsigned>(detail::within_powers<low, 50>(s.velocity)) &
+           static_cast<unsigned>(detail::within_powers<low, 50>(s.normal));
 }
 
 // The sign of F on a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.

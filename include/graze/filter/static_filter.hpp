@@ -44,12 +44,12 @@ template <int Power>
 
 namespace detail {
 
-// Whether x is a positive number in [2^-E, 2^E), by its bits: one comparison, true of no zero, negative number or NaN,
-// in any floating-point environment.
-template <int E>
+// Whether x is a positive number in [2^Low, 2^High), by its bits: one comparison, true of no zero, negative number or
+// NaN, in any floating-point environment.
+template <int Low, int High>
 [[nodiscard]] constexpr bool within_powers(double x) noexcept {
-    constexpr std::uint64_t low = static_cast<std::uint64_t>(1023 - E) << 52;
-    constexpr std::uint64_t high = static_cast<std::uint64_t>(1023 + E) << 52;
+    constexpr std::uint64_t low = static_cast<std::uint64_t>(1023 + Low) << 52;
+    constexpr std::uint64_t high = static_cast<std::uint64_t>(1023 + High) << 52;
     return std::bit_cast<std::uint64_t>(x) - low < high - low;
 }
 

@@ -22,7 +22,8 @@ template <class P, class Bounds, class M, class Row>
 class certain_signs {
   public:
     constexpr certain_signs(const M& motion, const magnitudes& scales, const Row& row) noexcept
-        : motion_(motion), scales_(scales), row_(row), filter_(!std::is_constant_evaluated() && usable(scales)) {}
+        : motion_(motion), scales_(scales), row_(row),
+          filter_(!std::is_constant_evaluated() && usable<typename Row::value_type>(scales)) {}
 
     template <class F>
     [[nodiscard]] constexpr int operator()(F f) {

@@ -55,9 +55,14 @@ struct filtered_balls {
     }
 };
 
-// The range. |Δu|² and length2 above 2^-450 keep what under- and overflow loses, or a mode flushes to zero, below
-// 2^-120 of any scale, and the scale below 2^1000 keeps h² and ac finite; a NaN or an infinity makes a comparison
-// false. Conditions are joined with & and not &&: one branch that is always taken costs less than several.
+// The range. |Δu|² and length2 above smallest_square keep what underflow loses, or a mode flushes to zero, below 2^-90
+// of any scale; for float that is also what is lost when a subnormal input becomes a double. Their product below 2^570
+// keeps each of them below 2^1020: then nothing has overflowed, neither to an infinity nor, where rounding is directed,
+// to the largest double. A NaN or an infinity makes a comparison false. Conditions are joined with & and not &&: one
+// branch that is always taken costs less than several.
+template <class T>
+inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0x1p-450;
+
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a,
                                                                      const ball<N, T>& b) noexcept {
@@ -71,7 +76,7 @@ template <int N, class T>
     r.scale = q.a * r.length2;
     const double bound = constant::discriminant * r.scale;
     const bool certain_h = r.h * r.h > bound;
-    const bool in_range = std::min(q.a, r.length2) > 0x1p-450;
+    const bool in_range = (std::min(q.a, r.length2) > smallest_square<T>)&(r.scale < 0x1p570);
     if (!(certain_h & in_range & plain_radii(a.radius, b.radius))) [[unlikely]] {
         return r;
     }
@@ -80,8 +85,7 @@ template <int N, class T>
         return r;
     }
     r.discriminant = discriminant_halved{}(q);
-    const bool certain_c_and_d = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c)) > bound;
-    r.certain = certain_c_and_d & (r.scale < 0x1p1000);
+    r.certain = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c)) > bound;
     return r;
 }
 

@@ -15,7 +15,7 @@ requires is_binary_input<T>
         const double length2 = squared_norm(m.dx) + m.R * m.R;
         const int s = certain_sign(coefficient_c{}(m), detail::ball_filter<N, T>::c * length2);
         // Velocities have no part in the answer, but a bad one is still bad.
-        if (s != open && detail::within_powers<450>(length2) && detail::is_finite(a.velocity) &&
+        if (s != open && length2 > detail::smallest_square<T> && length2 < 0x1p570 && detail::is_finite(a.velocity) &&
             detail::is_finite(b.velocity)) {
             observer(stage::filter);
             return s < 0;

@@ -61,7 +61,7 @@ template <int N, class T, class Shape, class Observer, class F>
         return rounded_motion(b, s);
     }();
     const magnitudes scales = magnitudes_of(motion);
-    if (!std::is_constant_evaluated() && (!plain_radii(b.radius, b.radius) || !usable(scales))) {
+    if (!std::is_constant_evaluated() && (!plain_radii(b.radius, b.radius) || !usable<T>(scales))) {
         check(b, "ball");
         check(s, name_of(s));
     }
