@@ -49,13 +49,12 @@ const pairs& generic_pairs() {
             const auto velocity = vector(r, 1);
             return ball<3>{position, velocity, radius(r)};
         });
-        // Every second pair is aimed: a's velocity relative to b is towards b, give or take a little.
+        // a's velocity relative to b is towards b or, in every second pair, away from it, give or take a little.
         for (std::size_t i = 0; i < count; ++i) {
             families::random r(seed + 1, i);
-            if (r.one_in(2)) {
-                const auto off = vector(r, 0.05);
-                p.a[i].velocity = p.b[i].velocity - 0.1 * (p.a[i].position - p.b[i].position) + off;
-            }
+            const double approach = r.one_in(2) ? 0.1 : -0.1;
+            const auto off = vector(r, 0.2);
+            p.a[i].velocity = p.b[i].velocity - approach * (p.a[i].position - p.b[i].position) + off;
         }
         return p;
     }();

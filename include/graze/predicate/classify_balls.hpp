@@ -94,7 +94,7 @@ template <int N, class T, class F>
 [[nodiscard, gnu::noinline]] constexpr auto with_exact_balls(const ball<N, T>& a, const ball<N, T>& b, F f) {
     check(a, "ball a");
     check(b, "ball b");
-    return with_exact_motion<two_balls<N>>(lift_row<two_balls<N>>(two_balls<N>::pack(a, b)), f);
+    return with_exact_motion<two_balls<N>>(lift_row<two_balls<N>>(packed<two_balls<N>>(a, b)), f);
 }
 
 // The sign of D from exact coefficients: of an estimate where that is certain, else of the exact value.

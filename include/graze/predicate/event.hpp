@@ -20,21 +20,18 @@ struct event {
         {two_balls<N>::lengths + two_balls<N>::velocities, ball_and_wall<N>::lengths + ball_and_wall<N>::velocities,
          ball_and_plane<N>::lengths + ball_and_plane<N>::velocities + ball_and_plane<N>::normals});
 
-    std::array<T, capacity> row{};
-    event_kind kind = event_kind::balls;
-    std::int8_t index = 0;
-    bool overlap = false;
-};
+    std::array<T, capacity> row;
+    event_kind kind;
+    std::int8_t index;
+    bool overlap;
 
-template <int N, class T, class Row>
-[[nodiscard]] constexpr event<N, T> make_event(const Row& row, event_kind kind, int index, bool overlap) noexcept {
-    event<N, T> e;
-    std::copy(row.begin(), row.end(), e.row.begin());
-    e.kind = kind;
-    e.index = static_cast<std::int8_t>(index);
-    e.overlap = overlap;
-    return e;
-}
+    template <class P, class Y>
+    constexpr event(P, const ball<N, T>& x, const Y& y, event_kind what, int which, bool inside) noexcept
+        : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside) {
+        P::pack(row.data(), x, y);
+        std::fill(row.begin() + P::lengths + P::velocities + P::normals, row.end(), T(0));
+    }
+};
 
 template <int N>
 [[nodiscard]] constexpr event_kind kind_of(feature f) noexcept {

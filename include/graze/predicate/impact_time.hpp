@@ -9,6 +9,15 @@
 
 namespace graze {
 
+namespace detail {
+
+// Held by time_of_impact, the only maker of impact times.
+struct impact_time_key {
+    explicit constexpr impact_time_key() = default;
+};
+
+} // namespace detail
+
 // The first time τ >= 0 at which a pair touches (0 for an overlap), counted from the instant at which positions are
 // given. A regular type: two are equal exactly when their times are, whatever met whatever. Comparisons look at an
 // enclosure in doubles first and at the inputs, which the value keeps, only when the enclosures overlap; they never
@@ -44,13 +53,12 @@ class impact_time {
         return detail::compare_exactly(event_, y.event_);
     }
 
+    // For time_of_impact: an event, by the arguments of its constructor, and its enclosure.
+    template <class... Event>
+    constexpr impact_time(detail::impact_time_key, const detail::enclosure& bounds, const Event&... arguments) noexcept
+        : event_(arguments...), bounds_(bounds) {}
+
   private:
-    template <int M, class U>
-    friend struct impact_time_access;
-
-    constexpr impact_time(const detail::event<N, T>& e, const detail::enclosure& bounds) noexcept
-        : event_(e), bounds_(bounds) {}
-
     [[nodiscard]] constexpr std::partial_ordering compare(const T& time) const {
         if (!is_finite_input(time)) {
             return time < 0   ? std::partial_ordering::greater
@@ -71,15 +79,6 @@ class impact_time {
 
     detail::event<N, T> event_;
     detail::enclosure bounds_;
-};
-
-// How time_of_impact makes one.
-template <int N, class T>
-struct impact_time_access {
-    [[nodiscard]] static constexpr impact_time<N, T> make(const detail::event<N, T>& e,
-                                                          const detail::enclosure& bounds) noexcept {
-        return {e, bounds};
-    }
 };
 
 } // namespace graze

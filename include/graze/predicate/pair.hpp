@@ -11,7 +11,7 @@
 
 namespace graze {
 
-// Each pair kind has: the numbers of lengths, velocities and normals; pack, which makes the row; and motion, which
+// Each pair kind has: the numbers of lengths, velocities and normals; pack, which writes the row; and motion, which
 // makes of lifted inputs the relative motion that the formulas take.
 template <int N>
 struct two_balls {
@@ -21,8 +21,7 @@ struct two_balls {
     static constexpr std::size_t normals = 0;
 
     template <class T>
-    [[nodiscard]] static constexpr auto pack(const ball<N, T>& a, const ball<N, T>& b) noexcept {
-        std::array<T, lengths + velocities> row{};
+    static constexpr void pack(T* row, const ball<N, T>& a, const ball<N, T>& b) noexcept {
         for (std::size_t i = 0; i < n; ++i) {
             row[i] = a.position.component[i];
             row[n + i] = b.position.component[i];
@@ -31,7 +30,6 @@ struct two_balls {
         }
         row[2 * n] = a.radius;
         row[2 * n + 1] = b.radius;
-        return row;
     }
 
     template <class I, class Inputs>
@@ -54,8 +52,7 @@ struct ball_and_plane {
     static constexpr std::size_t normals = n;
 
     template <class T>
-    [[nodiscard]] static constexpr auto pack(const ball<N, T>& b, const plane<N, T>& p) noexcept {
-        std::array<T, lengths + velocities + normals> row{};
+    static constexpr void pack(T* row, const ball<N, T>& b, const plane<N, T>& p) noexcept {
         for (std::size_t i = 0; i < n; ++i) {
             row[i] = b.position.component[i];
             row[n + i] = p.point.component[i];
@@ -63,7 +60,6 @@ struct ball_and_plane {
             row[lengths + velocities + i] = p.normal.component[i];
         }
         row[2 * n] = b.radius;
-        return row;
     }
 
     template <class I, class Inputs>
@@ -85,8 +81,7 @@ struct ball_and_wall {
     static constexpr std::size_t normals = 0;
 
     template <class T>
-    [[nodiscard]] static constexpr auto pack(const ball<N, T>& b, const wall<N, T>& w) noexcept {
-        std::array<T, lengths + velocities> row{};
+    static constexpr void pack(T* row, const ball<N, T>& b, const wall<N, T>& w) noexcept {
         for (std::size_t i = 0; i < n; ++i) {
             row[i] = b.position.component[i];
             row[n + i] = w.corner.component[i];
@@ -96,7 +91,6 @@ struct ball_and_wall {
             row[lengths + i] = b.velocity.component[i];
         }
         row[lengths - 1] = b.radius;
-        return row;
     }
 
     template <class I, class Inputs>
@@ -112,6 +106,14 @@ struct ball_and_wall {
             ball<N, I>{vector(in.length, 0), vector(in.velocity, 0), in.length.template get<I>(lengths - 1)}, w);
     }
 };
+
+// The row of a pair of kind P.
+template <class P, int N, class T, class Y>
+[[nodiscard]] constexpr auto packed(const ball<N, T>& x, const Y& y) noexcept {
+    std::array<T, P::lengths + P::velocities + P::normals> row{};
+    P::pack(row.data(), x, y);
+    return row;
+}
 
 // A row of pair kind P, lifted.
 template <class P, class Row>

@@ -11,28 +11,35 @@ namespace graze {
 
 namespace detail {
 
-template <int N, class T>
-[[nodiscard]] constexpr impact_time<N, T> make_time(const event<N, T>& e, const enclosure& bounds) noexcept {
-    return impact_time_access<N, T>::make(e, bounds);
-}
-
-// An event with the enclosure that its exact quadratic gives.
+// The time of an event with the enclosure that its exact quadratic gives.
 template <int N, class T>
 [[nodiscard]] constexpr impact_time<N, T> enclosed_exactly(const event<N, T>& e) {
+    constexpr impact_time_key key{};
     if (e.overlap) {
-        return make_time(e, {0, 0});
+        return impact_time<N, T>(key, enclosure{0, 0}, e);
     }
     if (std::is_constant_evaluated()) {
-        return make_time(e, {});
+        return impact_time<N, T>(key, enclosure{}, e);
     }
-    return make_time(e, with_pair<N>(e.kind, [&]<class P>(P) {
-                         const auto inputs = lift_row<P>(e.row);
-                         const int unit = inputs.length.exponent - inputs.velocity.exponent;
-                         return with_exact_motion<P>(inputs, [&](const auto& m) {
-                             return with_quadratic<N, P>(e.kind, e.index, m,
-                                                         [&](const auto& q) { return enclose(q, unit); });
-                         });
-                     }));
+    const enclosure bounds = with_pair<N>(e.kind, [&]<class P>(P) {
+        const auto inputs = lift_row<P>(e.row);
+        const int unit = inputs.length.exponent - inputs.velocity.exponent;
+        return with_exact_motion<P>(inputs, [&](const auto& m) {
+            return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) { return enclose(q, unit); });
+        });
+    });
+    return impact_time<N, T>(key, bounds, e);
+}
+
+// The time of two balls of which the filter is not certain, or is certain that they hit but not closely enough when.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>> time_of_impact_exactly(const ball<N, T>& a,
+                                                                                               const ball<N, T>& b) {
+    const encounter what = with_exact_balls(a, b, exact_encounter{});
+    if (!is_collision(what)) {
+        return std::nullopt;
+    }
+    return enclosed_exactly(event<N, T>(two_balls<N>{}, a, b, event_kind::balls, 0, what == encounter::overlap));
 }
 
 } // namespace detail
@@ -40,34 +47,28 @@ template <int N, class T>
 // The exact time at which two balls touch first; empty for recede and miss. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& a, const ball<N, T>& b,
-                                                                        Observer&& observer = {}) {
-    const auto event = [&](encounter what) {
-        return detail::make_event<N, T>(two_balls<N>::pack(a, b), detail::event_kind::balls, 0,
-                                        what == encounter::overlap);
-    };
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
+time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
     if (!std::is_constant_evaluated()) {
-        if (const auto f = detail::filter_balls(a, b); f.certain) {
+        if (const auto f = detail::filter_balls(a, b); f.certain) [[likely]] {
             observer(stage::filter);
-            const encounter what = f.what();
-            if (!is_collision(what)) {
+            if (f.h > 0 || f.discriminant < 0) {
                 return std::nullopt;
             }
-            if (what == encounter::overlap) {
-                return detail::make_time(event(what), {0, 0});
-            }
             using constant = detail::ball_filter<N, T>;
-            const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
-                                                (constant::discriminant + constant::h) * f.scale);
+            const bool overlap = f.c < 0;
+            const auto bounds = overlap ? detail::enclosure{0, 0}
+                                        : detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
+                                                          (constant::discriminant + constant::h) * f.scale);
             if (bounds.upper < detail::enclosure::unknown) [[likely]] {
-                return detail::make_time(event(what), bounds);
+                return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
+                                                        two_balls<N>{}, a, b, detail::event_kind::balls, 0, overlap);
             }
-            return detail::enclosed_exactly(event(what));
+            return detail::time_of_impact_exactly(a, b);
         }
     }
     observer(stage::exact);
-    const encounter what = detail::with_exact_balls(a, b, detail::exact_encounter{});
-    return is_collision(what) ? std::optional(detail::enclosed_exactly(event(what))) : std::nullopt;
+    return detail::time_of_impact_exactly(a, b);
 }
 
 // The exact time at which a ball touches a plane first; empty when it recedes. Throws as classify does.
@@ -79,8 +80,8 @@ requires is_binary_input<T>
     if (!is_collision(what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(detail::make_event<N, T>(ball_and_plane<N>::pack(b, p), detail::event_kind::plane,
-                                                             0, what == encounter::overlap));
+    return detail::enclosed_exactly(
+        detail::event<N, T>(ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0, what == encounter::overlap));
 }
 
 // The exact time at which a ball touches a wall's face, edge or corner first; empty for recede and miss. Throws as
@@ -93,8 +94,8 @@ requires is_binary_input<T>
     if (!is_collision(found.what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(detail::make_event<N, T>(
-        ball_and_wall<N>::pack(b, w), detail::kind_of<N>(found.where), found.index, found.what == encounter::overlap));
+    return detail::enclosed_exactly(detail::event<N, T>(ball_and_wall<N>{}, b, w, detail::kind_of<N>(found.where),
+                                                        found.index, found.what == encounter::overlap));
 }
 
 } // namespace graze

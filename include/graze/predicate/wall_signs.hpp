@@ -53,7 +53,7 @@ template <int N, class T, class Shape, class Observer, class F>
         check(b, "ball");
         check(s, name_of(s));
     }
-    const auto row = pair::kind::pack(b, s);
+    const auto row = packed<typename pair::kind>(b, s);
     const auto motion = [&] {
         if (std::is_constant_evaluated()) { // not asked for; of finite inputs it might still overflow
             return decltype(rounded_motion(b, s)){};
