@@ -67,22 +67,6 @@ struct line_of_map {
     return s.str();
 }
 
-// Text that fits the width, shortened at its end.
-[[nodiscard]] std::string fitted(std::string text, double size, double width) {
-    if (width_of(text, size) <= width) {
-        return text;
-    }
-    while (!text.empty() && width_of(text + "…", size) > width) {
-        do {
-            text.pop_back();
-        } while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80);
-        if (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0xc0) {
-            text.pop_back();
-        }
-    }
-    return text + "…";
-}
-
 } // namespace
 
 std::string decisions_picture(const results& found, format size) {
@@ -91,7 +75,7 @@ std::string decisions_picture(const results& found, format size) {
         return {};
     }
     const bool narrow = size == format::narrow;
-    const double row_height = 24, head = 96, left = narrow ? 142 : 190, letters = narrow ? 11 : 12;
+    const double row_height = 24, head = 96, left = narrow ? 148 : 230, letters = narrow ? 11 : 12;
     const int width = narrow ? 360 : 1040,
               height = static_cast<int>(head + row_height * static_cast<double>(lines.size()) + 8);
     picture p("decisions", width, height, "How many decisions each number type got wrong in each group");
@@ -107,8 +91,8 @@ std::string decisions_picture(const results& found, format size) {
     std::string marks, hollow;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double y = static_cast<double>(i);
-        p.label(fitted(lines[i].name, letters, left - 8), "screen " + exactly((left - 8) / width),
-                "first " + exactly(y + 0.5), "right", ink::text, letters);
+        p.label(fitted(narrow ? short_name_of(lines[i].name) : lines[i].name, letters, left - 8),
+                "screen " + exactly((left - 8) / width), "first " + exactly(y + 0.5), "right", ink::text, letters);
         for (std::size_t g = 0; g < found.groups.size(); ++g) {
             const auto& d = lines[i].groups[g];
             const double x = static_cast<double>(g);

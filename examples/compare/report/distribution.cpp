@@ -57,8 +57,8 @@ std::string distribution_picture(const results& found, const group_information& 
         if (d.count != 0) {
             const std::string name = "$curve" + std::to_string(number++);
             blocks += name + " << END\n" + curve(d) + "END\n";
-            plots += ", " + name + " using 1:2 with lines lw 2 dt " + (l.dashed ? "(5,3)" : "solid") + " lc " +
-                     picture::colour(l.colour);
+            plots = ", " + name + " using 1:2 with lines lw 2 dt " + (l.dashed ? "(5,3)" : "solid") + " lc " +
+                    picture::colour(l.colour) + plots; // the first on top
         }
     }
     if (number == 0) {

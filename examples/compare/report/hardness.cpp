@@ -83,8 +83,8 @@ std::string hardness_picture(const results& found, const group_information& grou
             take(points);
             const std::string name = "$line" + std::to_string(number++);
             blocks += block(name, points);
-            plots += ", " + name + " using 1:2 with lines lw 2 dt " + (l.dashed ? "(5,3)" : "solid") + " lc " +
-                     picture::colour(l.colour);
+            plots = ", " + name + " using 1:2 with lines lw 2 dt " + (l.dashed ? "(5,3)" : "solid") + " lc " +
+                    picture::colour(l.colour) + plots; // the first on top
         }
     }
     if (!any) {

@@ -1,76 +1,102 @@
 // Digits wanted, the cheapest type, its cost.
 #include "pictures.hpp"
 
+#include "placement.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace compare::report {
+namespace {
+
+constexpr double letters = 12;
+
+struct bar {
+    std::string digits, name;
+    double nanoseconds = 0; // 0: no type is good enough
+    bool exact = false;
+
+    [[nodiscard]] double length() const { return std::log10(nanoseconds); }
+    // Name and cost; the cost stays whole where the name has to be shortened.
+    [[nodiscard]] std::string text(double room) const {
+        const std::string cost = nanoseconds > 0 ? ", " + readable_time(nanoseconds) : "";
+        return fitted(name, letters, room - width_of(cost, letters)) + cost;
+    }
+};
+
+[[nodiscard]] std::vector<bar> bars_of(const results& found, bool narrow) {
+    std::vector<bar> bars;
+    const auto add = [&](const std::string& digits, const std::optional<choice>& c, bool exact) {
+        if (c && c->nanoseconds > 0 && std::isfinite(c->nanoseconds)) {
+            const std::string type = narrow ? short_name_of(c->type) : c->type;
+            bars.push_back({digits, name_of(type, c->variant, c->root), c->nanoseconds, exact});
+        } else {
+            bars.push_back({digits, "none here", 0, exact});
+        }
+    };
+    for (const auto& d : found.matrix) {
+        add(std::to_string(d.digits) + (d.digits == 1 ? " digit" : " digits"), d.cheapest, false);
+    }
+    add("exact", found.exact, true);
+    return bars;
+}
+
+} // namespace
 
 std::string matrix_picture(const results& found, format size) {
-    struct bar {
-        std::string digits, name;
-        double nanoseconds;
-        bool exact;
-    };
-    std::vector<bar> bars;
-    for (const auto& d : found.matrix) {
-        bars.push_back({counted(static_cast<unsigned long long>(std::max(d.digits, 0)), "digit", "digits"),
-                        d.cheapest ? name_of(d.cheapest->type, d.cheapest->variant, d.cheapest->root) : "none here",
-                        d.cheapest ? d.cheapest->nanoseconds : 0, false});
-    }
-    if (found.exact) {
-        bars.push_back({"exact", name_of(found.exact->type, found.exact->variant, found.exact->root),
-                        found.exact->nanoseconds, true});
-    }
-    double least = 0, most = 0;
+    const bool narrow = size == format::narrow;
+    const auto bars = bars_of(found, narrow);
+    double least = 1e300, most = 0;
     for (const auto& b : bars) {
-        if (b.nanoseconds > 0) {
-            least = least == 0 ? b.nanoseconds : std::min(least, b.nanoseconds);
-            most = std::max(most, b.nanoseconds);
-        }
+        least = b.nanoseconds > 0 ? std::min(least, b.nanoseconds) : least;
+        most = std::max(most, b.nanoseconds);
     }
     if (most == 0) {
         return {};
     }
-    const bool narrow = size == format::narrow;
-    const double row_height = narrow ? 38 : 30, left = narrow ? 72 : 84, top = 8, bottom = 48;
-    const int width = narrow ? 360 : 1040,
-              height = static_cast<int>(top + bottom + row_height * static_cast<double>(bars.size()));
+    const double row_height = narrow ? 38 : 30, left = narrow ? 72 : 84, right = 10, top = 8, bottom = 48;
+    const int width = narrow ? 360 : 1040;
+    const int height = static_cast<int>(top + bottom + row_height * static_cast<double>(bars.size()));
+    const double room = width - left - right, from = std::floor(std::log10(least));
+    // The axis ends where every text still fits behind its bar; a narrow picture has them above.
+    double to = std::max(std::log10(most) + 0.1, from + 1);
+    for (const auto& b : bars) {
+        if (!narrow && b.nanoseconds > 0) {
+            to = std::max(to, from + (b.length() - from) * room / (room - width_of(b.text(room), letters) - 24));
+        }
+    }
+
     picture p("matrix", width, height, "The cost of the cheapest number type that is right to so many digits");
-    p.margins(left, 10, top, bottom);
-    const double from = std::floor(std::log10(least)), to = std::max(std::log10(most) + (narrow ? 0.1 : 1.2), from + 1);
+    p.margins(left, right, top, bottom);
     p.add("set xrange [" + exactly(from) + ":" + exactly(to) + "]\nset yrange [" + std::to_string(bars.size()) + ":0]");
     p.add("unset ytics\nset grid xtics");
-    std::vector<std::pair<double, std::string>> tics;
+    std::vector<std::pair<double, std::string>> decades;
     for (int decade = static_cast<int>(from); decade <= to; ++decade) {
-        tics.emplace_back(decade, readable_time(std::pow(10, decade)));
+        decades.emplace_back(decade, readable_time(std::pow(10, decade)));
     }
-    p.tics('x', tics);
+    p.tics('x', decades);
     p.label("time of one whole solve →", "graph 1", "screen " + exactly(10.0 / height), "right", ink::muted);
-    std::string rows;
+
+    std::string ends; // of the bars: something to plot, without which gnuplot draws nothing
+    const double upper = narrow ? 0.52 : 0.2, lower = narrow ? 0.86 : 0.8;
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const auto& b = bars[i];
-        const double y = static_cast<double>(i), upper = narrow ? 0.52 : 0.2, lower = narrow ? 0.86 : 0.8;
+        const double y = static_cast<double>(i), end = b.nanoseconds > 0 ? b.length() : from;
         p.label(b.digits, "screen " + exactly((left - 8) / width), "first " + exactly(y + 0.5), "right", ink::text);
-        const std::string said = b.nanoseconds > 0 ? b.name + ", " + readable_time(b.nanoseconds) : b.name;
-        const double end = b.nanoseconds > 0 ? std::log10(b.nanoseconds) : from;
         if (b.nanoseconds > 0) {
             p.add("set object rectangle from " + exactly(from) + "," + exactly(y + upper) + " to " + exactly(end) +
                   "," + exactly(y + lower) + " fc " + picture::colour(b.exact ? ink::best : ink::one) +
                   " fs solid noborder");
         }
-        if (narrow) {
-            p.label(said, "graph 0", "first " + exactly(y + 0.27), "left", b.nanoseconds > 0 ? ink::text : ink::muted);
-        } else {
-            p.label(said, "first " + exactly(end), exactly(y + 0.5) + " offset 0.8,0", "left",
-                    b.nanoseconds > 0 ? ink::text : ink::muted);
-        }
-        rows += exactly(end) + " " + exactly(y + 0.5) + "\n";
+        p.label(b.text(room), narrow ? "graph 0" : "first " + exactly(end),
+                "first " + exactly(y + (narrow ? 0.27 : 0.5)) + (narrow ? "" : " offset 0.8,0"), "left",
+                b.nanoseconds > 0 ? ink::text : ink::muted);
+        ends += exactly(end) + " " + exactly(y + 0.5) + "\n";
     }
-    p.add("$ends << END\n" + rows + "END\nplot $ends using 1:2 with points pt 7 ps 0 lc " +
+    p.add("$ends << END\n" + ends + "END\nplot $ends using 1:2 with points pt 7 ps 0 lc " +
           picture::colour(ink::paper));
     return p.svg();
 }

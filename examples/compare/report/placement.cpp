@@ -13,6 +13,21 @@ double width_of(const std::string& text, double size) {
     return 0.56 * size * static_cast<double>(letters);
 }
 
+std::string fitted(std::string text, double size, double width) {
+    if (width_of(text, size) <= width) {
+        return text;
+    }
+    while (!text.empty() && width_of(text + "…", size) > width) {
+        do {
+            text.pop_back();
+        } while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80);
+        if (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0xc0) {
+            text.pop_back();
+        }
+    }
+    return text + "…";
+}
+
 placed placement::place(const std::string& text, double size, double x, double y) {
     const double width = width_of(text, size), half = 0.6 * size;
     placed best;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace compare::report {
@@ -16,6 +17,9 @@ struct box {
 
 // How wide a text of this size comes out, near enough for a sans-serif.
 [[nodiscard]] double width_of(const std::string& text, double size);
+
+// The text, shortened at its end where it is wider.
+[[nodiscard]] std::string fitted(std::string text, double size, double width);
 
 struct placed {
     double x = 0, y = 0; // of the text's middle line

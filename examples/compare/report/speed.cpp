@@ -1,74 +1,22 @@
 // Speed against error.
 #include "pictures.hpp"
 
+#include "error_axis.hpp"
 #include "placement.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 #include <tuple>
 
 namespace compare::report {
 namespace {
 
-// The error axis: decades down to 10^-20 at full length, then many to a unit, so that a hundred digits and no error at
-// all find a place below doubles without crushing them. Heights are in decades of the upper part.
-class error_axis {
-  public:
-    explicit error_axis(const std::vector<candidate>& points) {
-        for (const auto& c : points) {
-            if (std::isfinite(c.fewest_bits)) {
-                const double decade = decade_of(c);
-                highest_ = std::max(highest_, std::ceil(decade / 4) * 4);
-                lowest_ = std::min(lowest_, decade);
-            }
-            infinite_ = infinite_ || (std::isinf(c.fewest_bits) && c.fewest_bits < 0);
-        }
-    }
-
-    [[nodiscard]] static double decade_of(const candidate& c) { return -c.fewest_bits * std::log10(2.0); }
-    [[nodiscard]] double top() const { return highest_ + (infinite_ ? 4.5 : 1); }
-    [[nodiscard]] double zero() const { return height(std::min(lowest_, bend)) - 2.5; }
-    [[nodiscard]] double bottom() const { return zero() - 1.5; }
-    [[nodiscard]] bool bends() const { return lowest_ < bend; }
-    [[nodiscard]] double height(double decade) const {
-        return decade >= bend ? decade : bend - 1 - (bend - decade) * squeeze;
-    }
-    [[nodiscard]] double height(const candidate& c) const {
-        if (std::isinf(c.fewest_bits)) {
-            return c.fewest_bits > 0 ? zero() : highest_ + 3;
-        }
-        return height(decade_of(c));
-    }
-    [[nodiscard]] std::vector<std::pair<double, std::string>> tics() const {
-        std::vector<std::pair<double, std::string>> all = {{zero(), "exact"}};
-        for (int decade = static_cast<int>(highest_); decade >= -20; decade -= 4) {
-            all.emplace_back(height(decade), decade == 0 ? "1" : power_of_ten(decade));
-        }
-        for (const int decade : {-30, -50, -70, -100}) {
-            if (bends() && decade >= lowest_ - 5) {
-                all.emplace_back(height(decade), power_of_ten(decade));
-            }
-        }
-        if (infinite_) {
-            all.emplace_back(highest_ + 3, "no number");
-        }
-        return all;
-    }
-
-    static constexpr double bend = -20;
-
-  private:
-    static constexpr double squeeze = 0.07;
-    double highest_ = 0, lowest_ = bend;
-    bool infinite_ = false;
-};
-
-// gnuplot's markers: square, circle, triangle, diamond; the hollow one's number is one less.
+// gnuplot's filled markers: triangle, square, diamond, circle. The hollow one's number is one less.
 [[nodiscard]] int marker_of(const std::string& variant) {
     return variant == "textbook" ? 9 : variant == "halved" ? 5 : variant == "kahan" ? 13 : 7;
 }
@@ -77,47 +25,21 @@ class error_axis {
     if (c.is_exact()) {
         return ink::best;
     }
-    if (c.information != nullptr && c.information->is_interval) {
-        return ink::open;
+    if (c.information == nullptr) {
+        return ink::four;
     }
-    const bool of_machine =
-        c.information != nullptr && c.information->library == "built in" && c.information->digits <= 64;
-    return of_machine ? ink::one : ink::four;
+    const bool of_machine = c.information->library == "built in" && c.information->digits <= 64;
+    return c.information->is_interval ? ink::open : of_machine ? ink::one : ink::four;
 }
 
-// Rows of a mark and what it means, from left to right, on a new line where the width ends. Returns the lines.
-struct key_entry {
-    int marker;
-    ink colour;
-    std::string meaning;
-};
+[[nodiscard]] bool is_plain(const candidate& c) { return is_plain_double(c.type, c.variant, c.root); }
 
-[[nodiscard]] std::string point_label(picture& p, const key_entry& e, double x, double y) {
-    return "set label \"\" at screen " + exactly(x / p.width()) + ",screen " + exactly(1 - y / p.height()) +
-           " point pt " + std::to_string(e.marker) + " ps 0.8 lc " + picture::colour(e.colour) + " front";
-}
-
-double add_key(picture& p, const std::vector<key_entry>& entries, double left, double y) {
-    double x = left;
-    for (const auto& e : entries) {
-        const double width = 12 + width_of(e.meaning, 12) + 14;
-        if (x > left && x + width > p.width() + 8) {
-            x = left, y += 19;
-        }
-        p.add(point_label(p, e, x + 5, y));
-        p.label(e.meaning, "screen " + exactly((x + 15) / p.width()), "screen " + exactly(1 - y / p.height()), "left",
-                ink::muted);
-        x += width;
-    }
-    return y + 19;
-}
+[[nodiscard]] double x_of(const candidate& c) { return std::log10(*c.nanoseconds); }
 
 [[nodiscard]] std::string hover_text(const candidate& c) {
     std::ostringstream s;
     s << c.name() << ": " << readable_time(*c.nanoseconds) << ", ";
-    if (c.times == 0) {
-        s << "no time measured";
-    } else if (std::isinf(c.fewest_bits)) {
+    if (std::isinf(c.fewest_bits)) {
         s << (c.fewest_bits > 0 ? "no error" : "some times are no number");
     } else {
         s << "largest error of τ " << readable(std::exp2(-c.fewest_bits)) << " (" << readable(c.fewest_bits)
@@ -130,134 +52,217 @@ double add_key(picture& p, const std::vector<key_entry>& entries, double left, d
     return s.str();
 }
 
+// Lays out and draws one picture, from back to front.
+class speed_plot {
+  public:
+    speed_plot(std::vector<candidate> points, bool narrow)
+        : points_(std::move(points)), axis_(points_), narrow_(narrow),
+          p_("speed", narrow ? 360 : 1040, narrow ? 570 : 660,
+             "Nanoseconds for one pair against the largest relative error of the time of impact, a point for every "
+             "number type, variant and root form; the tables have the same figures.") {
+        for (const auto& c : points_) {
+            from_ = std::min(from_, x_of(c) - 0.15), to_ = std::max(to_, x_of(c) + 0.25);
+            if (c.on_front) {
+                front_.push_back(&c);
+            }
+        }
+        std::ranges::sort(front_, {}, [](const candidate* c) { return *c->nanoseconds; });
+    }
+
+    [[nodiscard]] std::string svg() {
+        key();
+        axes();
+        guides();
+        names();
+        front();
+        marks();
+        p_.add(blocks_ + "plot " + plots_);
+        return p_.svg();
+    }
+
+  private:
+    std::vector<candidate> points_;
+    error_axis axis_;
+    bool narrow_;
+    picture p_;
+    std::vector<const candidate*> front_;
+    double from_ = 1e9, to_ = -1e9;                                                       // decades of nanoseconds
+    double left_ = narrow_ ? 46 : 62, right_ = narrow_ ? 20 : 14, top_ = 0, bottom_ = 46; // pixels
+    std::string blocks_, plots_;
+
+    [[nodiscard]] double pixel_x(const candidate& c) const {
+        return left_ + (x_of(c) - from_) * (p_.width() - left_ - right_) / (to_ - from_);
+    }
+    [[nodiscard]] double pixel_y(double height) const {
+        return top_ + (axis_.top() - height) * (p_.height() - top_ - bottom_) / (axis_.top() - axis_.bottom());
+    }
+    [[nodiscard]] double pixel_y(const candidate& c) const { return pixel_y(axis_.height(c)); }
+    [[nodiscard]] std::string screen_x(double pixel) const { return "screen " + exactly(pixel / p_.width()); }
+    [[nodiscard]] std::string screen_y(double pixel) const { return "screen " + exactly(1 - pixel / p_.height()); }
+
+    void key();
+    double key_line(const std::vector<std::tuple<int, ink, std::string>>& entries, double y);
+    void axes();
+    void guides();
+    void level(double height, const std::string& style, ink role);
+    void names();
+    [[nodiscard]] std::vector<box> occupied() const;
+    [[nodiscard]] std::vector<const candidate*> named() const;
+    void front();
+    void marks();
+    void plot(const std::string& rows, const std::string& how);
+};
+
+void speed_plot::key() {
+    const double below = key_line({{7, ink::one, "machine floating point"},
+                                   {7, ink::four, "software floating point"},
+                                   {7, ink::open, "intervals"},
+                                   {7, ink::best, "exact"}},
+                                  12);
+    top_ = 24 + key_line({{marker_of("textbook"), ink::muted, "textbook"},
+                          {marker_of("halved"), ink::muted, "halved"},
+                          {marker_of("kahan"), ink::muted, "kahan"},
+                          {marker_of("lagrange"), ink::muted, "lagrange"},
+                          {6, ink::muted, "hollow: decided something wrong or not at all"}},
+                         below);
+}
+
+// Marks and what they mean, on as many lines as they need. Returns where the next line goes.
+double speed_plot::key_line(const std::vector<std::tuple<int, ink, std::string>>& entries, double y) {
+    const double start = narrow_ ? 0 : left_;
+    double x = start;
+    for (const auto& [marker, role, meaning] : entries) {
+        const double width = 26 + width_of(meaning, 12);
+        if (x > start && x + width > p_.width() + 8) {
+            x = start, y += 19;
+        }
+        p_.add("set label \"\" at " + screen_x(x + 5) + "," + screen_y(y) + " point pt " + std::to_string(marker) +
+               " ps 0.8 lc " + picture::colour(role) + " front");
+        p_.label(meaning, screen_x(x + 15), screen_y(y), "left", ink::muted);
+        x += width;
+    }
+    return y + 19;
+}
+
+void speed_plot::axes() {
+    p_.margins(left_, right_, top_, bottom_);
+    p_.add("set xrange [" + exactly(from_) + ":" + exactly(to_) + "]");
+    p_.add("set yrange [" + exactly(axis_.bottom()) + ":" + exactly(axis_.top()) + "]");
+    std::vector<std::pair<double, std::string>> decades;
+    for (int decade = static_cast<int>(std::ceil(from_)); decade <= to_; ++decade) {
+        decades.emplace_back(decade, readable_time(std::pow(10, decade)));
+    }
+    p_.tics('x', decades);
+    p_.tics('y', axis_.tics());
+    p_.label("time of one whole solve →", "graph 1", screen_y(p_.height() - 10), "right", ink::muted);
+    p_.label("largest error of τ, relative ↓", screen_x(narrow_ ? 1 : 12), screen_y(top_ - 12), "left", ink::muted);
+}
+
+void speed_plot::level(double height, const std::string& style, ink role) {
+    const std::string y = ",first " + exactly(height);
+    p_.add("set arrow from graph 0" + y + " to graph 1" + y + " nohead back " + style + " lc " + picture::colour(role));
+}
+
+// A correctly rounded double is below the first line; the last one has no error.
+void speed_plot::guides() {
+    const double half_unit = axis_.height(-53 * std::log10(2.0));
+    level(half_unit, "lw 1 dt (4,4)", ink::muted);
+    p_.label(narrow_ ? "½ ulp of a double" : "half a unit in the last place of a double", "graph 0.995",
+             "first " + exactly(half_unit) + " offset 0,0.5", "right", ink::muted, 11);
+    if (axis_.bends()) {
+        level(error_axis::bend - 0.5, "lw 1 dt (1,3)", ink::muted);
+    }
+    level(axis_.no_error(), "lw 1.5", ink::best);
+}
+
+std::vector<box> speed_plot::occupied() const {
+    std::vector<box> all;
+    for (const auto& c : points_) {
+        const double x = pixel_x(c), y = pixel_y(c), r = c.on_front || is_plain(c) ? 6 : 4;
+        all.push_back({x - r, y - r, x + r, y + r});
+    }
+    for (std::size_t i = 1; i < front_.size(); ++i) {
+        const double x0 = pixel_x(*front_[i - 1]), x1 = pixel_x(*front_[i]);
+        const double y0 = pixel_y(*front_[i - 1]), y1 = pixel_y(*front_[i]);
+        all.push_back({x0, y0 - 2, x1, y0 + 2});
+        all.push_back({x1 - 2, y0, x1 + 2, y1});
+    }
+    const double zero = pixel_y(axis_.no_error());
+    all.push_back({left_, zero - 2, p_.width() - right_, zero + 2});
+    return all;
+}
+
+// Plain double and the front; where there is little room, a type is named once, at its fastest.
+std::vector<const candidate*> speed_plot::named() const {
+    std::vector<const candidate*> all = front_;
+    if (narrow_) {
+        std::set<std::string> types;
+        std::erase_if(all, [&](const candidate* c) { return !types.insert(c->type).second; });
+    }
+    const auto plain = std::ranges::find_if(points_, is_plain);
+    if (plain != points_.end() && std::ranges::find(all, &*plain) == all.end()) {
+        all.insert(all.begin(), &*plain);
+    }
+    return all;
+}
+
+void speed_plot::names() {
+    placement places({left_ - 4, top_, p_.width() - 2.0, p_.height() - bottom_ + 4}, occupied());
+    for (const auto* c : named()) {
+        std::string name = narrow_ ? short_name_of(c->type) : c->name();
+        if (is_plain(*c)) {
+            name = c->wrong == 0 ? "plain double" : "plain double, " + readable_count(c->wrong) + " wrong";
+        }
+        const double x = pixel_x(*c), y = pixel_y(*c);
+        const auto at = places.place(name, 12, x, y);
+        p_.label(name, screen_x(at.x), screen_y(at.y), at.align, ink::text);
+        if (std::hypot(at.x - x, at.y - y) > 30) {
+            p_.add("set arrow from " + screen_x(x) + "," + screen_y(y) + " to " + screen_x(at.x) + "," +
+                   screen_y(at.y + (at.y < y ? 7 : -7)) + " nohead back lw 0.8 lc " + picture::colour(ink::muted));
+        }
+    }
+}
+
+void speed_plot::plot(const std::string& rows, const std::string& how) {
+    const std::string name = "$block" + std::to_string(blocks_.size());
+    blocks_ += name + " << END\n" + rows + "END\n";
+    plots_ += (plots_.empty() ? "" : ", ") + name + how;
+}
+
+// A staircase: a cheaper type is no better than the last step before it.
+void speed_plot::front() {
+    std::string stairs;
+    for (std::size_t i = 0; i < front_.size(); ++i) {
+        for (const auto* level : {front_[i == 0 ? 0 : i - 1], front_[i]}) {
+            stairs += exactly(x_of(*front_[i])) + " " + exactly(axis_.height(*level)) + "\n";
+        }
+    }
+    if (front_.size() > 1) {
+        plot(stairs, " using 1:2 with lines lw 2 lc " + picture::colour(ink::best));
+    }
+}
+
+// Points alike in size, marker and colour are plotted together.
+void speed_plot::marks() {
+    std::map<std::tuple<bool, int, ink>, std::string> alike;
+    for (const auto& c : points_) {
+        const int marker = marker_of(c.variant) - (c.decides_right() ? 0 : 1);
+        alike[{c.on_front || is_plain(c), marker, colour_of(c)}] +=
+            exactly(x_of(c)) + " " + exactly(axis_.height(c)) + " " + p_.text(hover_text(c)) + "\n";
+    }
+    for (const auto& [style, rows] : alike) {
+        const auto& [large, marker, role] = style;
+        plot(rows, " using 1:2:3 with labels hypertext point pt " + std::to_string(marker) + " ps " +
+                       (large ? "1.15" : "0.75") + " lc " + picture::colour(role));
+    }
+}
+
 } // namespace
 
 std::string speed_picture(const results& found, format size) {
     std::vector<candidate> points = candidates(found);
     std::erase_if(points, [](const candidate& c) { return !c.nanoseconds || !(*c.nanoseconds > 0) || c.times == 0; });
-    if (points.empty()) {
-        return {};
-    }
-    const bool narrow = size == format::narrow;
-    const error_axis axis(points);
-    const auto [fastest, slowest] = std::ranges::minmax(points, {}, [](const candidate& c) { return *c.nanoseconds; });
-    const double x_from = std::log10(*fastest.nanoseconds) - 0.15, x_to = std::log10(*slowest.nanoseconds) + 0.25;
-
-    picture p("speed", narrow ? 360 : 1040, narrow ? 520 : 620,
-              "Nanoseconds for one pair against the largest relative error of the time of impact, a point for every "
-              "number type, variant and root form; the tables below have the same figures.");
-    std::vector<key_entry> key = {{9, ink::muted, "textbook"},
-                                  {5, ink::muted, "halved"},
-                                  {13, ink::muted, "kahan"},
-                                  {7, ink::muted, "lagrange"},
-                                  {6, ink::muted, "hollow: decided something wrong or not at all"}};
-    std::vector<key_entry> colours = {{7, ink::one, "machine floating point"},
-                                      {7, ink::four, "software floating point"},
-                                      {7, ink::open, "intervals"},
-                                      {7, ink::best, "exact"}};
-    const double under_key = add_key(p, key, narrow ? 0 : 62, add_key(p, colours, narrow ? 0 : 62, 12));
-    const double left = narrow ? 46 : 62, right = 14, top = under_key + 24, bottom = 46;
-    p.margins(left, right, top, bottom);
-    p.add("set xrange [" + exactly(x_from) + ":" + exactly(x_to) + "]");
-    p.add("set yrange [" + exactly(axis.bottom()) + ":" + exactly(axis.top()) + "]");
-    std::vector<std::pair<double, std::string>> decades;
-    for (int decade = static_cast<int>(std::ceil(x_from)); decade <= x_to; ++decade) {
-        decades.emplace_back(decade, readable_time(std::pow(10, decade)));
-    }
-    p.tics('x', decades);
-    p.tics('y', axis.tics());
-    p.label("time of one whole solve →", "graph 1", "screen " + exactly(10.0 / p.height()), "right", ink::muted);
-    p.label("largest error of τ, relative ↓", "screen " + exactly(narrow ? 0.004 : 0.012),
-            "screen " + exactly(1 - (top - 12) / p.height()), "left", ink::muted);
-
-    const double x_scale = (p.width() - left - right) / (x_to - x_from);
-    const double y_scale = (p.height() - top - bottom) / (axis.top() - axis.bottom());
-    const auto x_pixel = [&](double x) { return left + (x - x_from) * x_scale; };
-    const auto y_pixel = [&](double y) { return top + (axis.top() - y) * y_scale; };
-    const auto x_of = [](const candidate& c) { return std::log10(*c.nanoseconds); };
-
-    // The line of a correctly rounded double, and the one below which nothing is lost.
-    const double half_unit = axis.height(-53 * std::log10(2.0));
-    p.add("set arrow from graph 0,first " + exactly(half_unit) + " to graph 1,first " + exactly(half_unit) +
-          " nohead back lw 1 dt (4,4) lc " + picture::colour(ink::muted));
-    p.label(narrow ? "½ ulp of a double" : "half a unit in the last place of a double", "graph 0.995",
-            "first " + exactly(half_unit) + " offset 0,0.5", "right", ink::muted, 11);
-    p.add("set arrow from graph 0,first " + exactly(axis.zero()) + " to graph 1,first " + exactly(axis.zero()) +
-          " nohead back lw 1.5 lc " + picture::colour(ink::best));
-    if (axis.bends()) {
-        const std::string at = exactly(error_axis::bend - 0.5);
-        p.add("set arrow from graph 0,first " + at + " to graph 1,first " + at + " nohead back lw 1 dt (1,3) lc " +
-              picture::colour(ink::muted));
-    }
-
-    // The front as a staircase.
-    std::vector<const candidate*> front;
-    for (const auto& c : points) {
-        if (c.on_front) {
-            front.push_back(&c);
-        }
-    }
-    std::ranges::sort(front, {}, [](const candidate* c) { return *c->nanoseconds; });
-    std::string stairs;
-    for (std::size_t i = 0; i < front.size(); ++i) {
-        if (i > 0) {
-            stairs += exactly(x_of(*front[i])) + " " + exactly(axis.height(*front[i - 1])) + "\n";
-        }
-        stairs += exactly(x_of(*front[i])) + " " + exactly(axis.height(*front[i])) + "\n";
-    }
-
-    // Points alike in marker, colour and size are plotted together.
-    std::map<std::tuple<bool, int, ink>, std::string> alike;
-    std::vector<box> taken;
-    for (const auto& c : points) {
-        const bool large = c.on_front || is_plain_double(c.type, c.variant, c.root);
-        const int marker = marker_of(c.variant) - (c.decides_right() ? 0 : 1);
-        alike[{large, marker, colour_of(c)}] +=
-            exactly(x_of(c)) + " " + exactly(axis.height(c)) + " " + p.text(hover_text(c)) + "\n";
-        const double x = x_pixel(x_of(c)), y = y_pixel(axis.height(c)), r = large ? 6 : 4;
-        taken.push_back({x - r, y - r, x + r, y + r});
-    }
-    for (std::size_t i = 1; i < front.size(); ++i) {
-        const double x0 = x_pixel(x_of(*front[i - 1])), x1 = x_pixel(x_of(*front[i]));
-        const double y0 = y_pixel(axis.height(*front[i - 1])), y1 = y_pixel(axis.height(*front[i]));
-        taken.push_back({x0, y0 - 2, x1, y0 + 2});
-        taken.push_back({x1 - 2, y0, x1 + 2, y1});
-    }
-    taken.push_back({left, y_pixel(axis.zero()) - 2, p.width() - right, y_pixel(axis.zero()) + 2});
-    placement names({left - 4, top, p.width() - 2.0, p.height() - bottom + 4}, std::move(taken));
-    for (const auto& c : points) {
-        const bool plain = is_plain_double(c.type, c.variant, c.root);
-        if (c.on_front || plain) {
-            const std::string name = plain ? "plain double" : narrow ? c.type : c.name();
-            const double x = x_pixel(x_of(c)), y = y_pixel(axis.height(c));
-            const auto at = names.place(name, 12, x, y);
-            const auto on_screen = [&](double x_at, double y_at) {
-                return "screen " + exactly(x_at / p.width()) + ",screen " + exactly(1 - y_at / p.height());
-            };
-            p.label(name, "screen " + exactly(at.x / p.width()), "screen " + exactly(1 - at.y / p.height()), at.align,
-                    ink::text);
-            if (std::hypot(at.x - x, at.y - y) > 30) {
-                p.add("set arrow from " + on_screen(x, y) + " to " + on_screen(at.x, at.y + (at.y < y ? 7 : -7)) +
-                      " nohead back lw 0.8 lc " + picture::colour(ink::muted));
-            }
-        }
-    }
-
-    std::string plots, blocks;
-    if (front.size() > 1) {
-        blocks += "$front << END\n" + stairs + "END\n";
-        plots += "$front using 1:2 with lines lw 2 lc " + picture::colour(ink::best);
-    }
-    int block = 0;
-    for (const auto& [style, rows] : alike) {
-        const auto& [large, marker, role] = style;
-        const std::string name = "$points" + std::to_string(block++);
-        blocks += name + " << END\n" + rows + "END\n";
-        plots += (plots.empty() ? "" : ", ") + name + " using 1:2:3 with labels hypertext point pt " +
-                 std::to_string(marker) + " ps " + (large ? "1.15" : "0.75") + " lc " + picture::colour(role);
-    }
-    p.add(blocks + "plot " + plots);
-    return p.svg();
+    return points.empty() ? std::string() : speed_plot(std::move(points), size == format::narrow).svg();
 }
 
 } // namespace compare::report

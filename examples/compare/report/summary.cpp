@@ -34,10 +34,15 @@ void mark_front(std::vector<candidate>& all) {
 } // namespace
 
 std::string name_of(const std::string& type, const std::string& variant, const std::string& root) {
-    return type + " · " + variant + (root == "printed" ? ", root as printed" : "");
+    return type + " · " + variant + (root == "printed" ? "/printed" : "");
 }
 
 std::string candidate::name() const { return name_of(type, variant, root); }
+
+std::string short_name_of(const std::string& type) {
+    const auto scope = type.rfind("::");
+    return scope == std::string::npos ? type : type.substr(scope + 2);
+}
 
 const type_information* information_of(const results& found, const std::string& type) {
     const auto at = std::ranges::find(found.types, type, &type_information::name);

@@ -26,8 +26,11 @@ struct candidate {
     [[nodiscard]] std::string name() const;
 };
 
-// "double · lagrange"; with the printed root "double · lagrange, root as printed".
+// "double · lagrange"; with the printed root "double · lagrange/printed", as the option --variants has it.
 [[nodiscard]] std::string name_of(const std::string& type, const std::string& variant, const std::string& root);
+
+// Without the namespace, for where there is little room.
+[[nodiscard]] std::string short_name_of(const std::string& type);
 
 [[nodiscard]] const type_information* information_of(const results& found, const std::string& type);
 
