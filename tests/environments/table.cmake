@@ -1,0 +1,16 @@
+# cmake -D WORK=directory -D NAMES=name;... -D "FLAGS_<name>=..." -P table.cmake: the outcomes of the environments, as a
+# table for the documentation.
+cmake_policy(VERSION 3.25)
+string(TIMESTAMP date "%Y-%m-%d" UTC)
+set(lines "${date}\n\n| environment | built by | answers | by filter | exactly | wrong |\n|---|---|---|---|---|---|\n")
+foreach(name IN LISTS NAMES)
+    set(outcome "not run")
+    if(EXISTS "${WORK}/${name}.result")
+        file(READ "${WORK}/${name}.result" outcome)
+    endif()
+    if(NOT outcome MATCHES "\\|")
+        string(APPEND outcome " | | |")
+    endif()
+    string(APPEND lines "| ${name} | `${FLAGS_${name}}` | ${outcome} |\n")
+endforeach()
+message("${lines}")
