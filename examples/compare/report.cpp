@@ -39,6 +39,8 @@ class page {
     void panels(const std::function<std::string(const group_information&)>& picture);
     void key();
     void section(const std::string& id, const std::string& head, const std::function<void()>& content);
+    // A table that is closed at first; nothing where it is empty.
+    void fold(const std::string& summary, const std::string& table);
     void pictures();
     void tables();
 };
@@ -147,11 +149,12 @@ void page::pictures() {
             [&] { figure([&](format f) { return speed_picture(found_, f); }, "Nothing was timed."); });
     section("digits", words::digits, [&] {
         figure([&](format f) { return matrix_picture(found_, f); }, "No type was good enough, or nothing was timed.");
-        add("<details><summary>Digits wanted, by group</summary>\n" + matrix_table(found_) + "</details>\n");
+        fold("Digits wanted, by group", matrix_table(found_));
     });
     section("decisions", words::decisions, [&] {
         figure([&](format f) { return decisions_picture(found_, f); },
                "Every type and variant decided every pair right.");
+        fold("Wrong and open decisions by kind", decisions_table(found_));
     });
     section("distribution", words::distribution, [&] {
         key();
@@ -167,20 +170,20 @@ void page::pictures() {
     section("tables", words::tables, [&] { tables(); });
 }
 
+void page::fold(const std::string& summary, const std::string& table) {
+    if (!table.empty()) {
+        add("<details><summary>" + summary + "</summary>\n" + table + "</details>\n");
+    }
+}
+
 void page::tables() {
     for (const auto& g : found_.groups) {
-        add("<details><summary>" + escaped(g.name) + ": every type and variant</summary>\n" + rows_table(found_, g) +
-            "</details>\n");
-        const std::string by_hardness = hardness_table(found_, g);
-        if (!by_hardness.empty()) {
-            add("<details><summary>" + escaped(g.name) +
-                ": the largest error of τ by hardness</summary>\n<p>k: " + escaped(g.hardness_name) +
-                ". Units of the last place of a double; wrong or open decisions in bold.</p>\n" + by_hardness +
-                "</details>\n");
-        }
+        fold(escaped(g.name) + ": every type and variant", rows_table(found_, g));
+        fold(escaped(g.name) + ": the largest error of τ by hardness", hardness_table(found_, g));
     }
-    add("<details><summary>The groups</summary>\n" + groups_table(found_) + "</details>\n");
-    add("<details><summary>The number types</summary>\n" + types_table(found_) + "</details>\n");
+    fold("Intervals", intervals_table(found_));
+    fold("The groups", groups_table(found_));
+    fold("The number types", types_table(found_));
 }
 
 std::string page::html() {

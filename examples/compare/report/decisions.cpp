@@ -61,6 +61,9 @@ struct line_of_map {
     if (d.feature != 0) {
         s << ", " << readable_count(d.feature) << " on the feature";
     }
+    if (d.failed != 0) {
+        s << ", " << readable_count(d.failed) << " without an answer";
+    }
     if (d.undecided != 0) {
         s << ", " << readable_count(d.undecided) << " left open";
     }

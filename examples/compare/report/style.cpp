@@ -60,10 +60,11 @@ table { border-collapse: collapse; width: 100%; font-size: .8rem; line-height: 1
   font-variant-numeric: tabular-nums; }
 th, td { padding: .28em .5em; vertical-align: top; border-bottom: 1px solid var(--grid); }
 th { text-align: left; font-weight: 600; }
-thead th { color: var(--muted); font-weight: 500; vertical-align: bottom; border-bottom: 1px solid var(--rule); }
+thead th { overflow-wrap: normal; color: var(--muted); font-weight: 500; vertical-align: bottom; border-bottom: 1px solid var(--rule); }
 .figures td, .figures thead th + th { text-align: right; }
 .figures td { white-space: nowrap; }
-.figures small { color: var(--muted); }
+.figures small { color: var(--muted); display: block; }
+.figures tbody th { min-width: 15em; }
 .words tbody th { white-space: nowrap; }
 .words small { display: block; color: var(--muted); }
 .bad { color: var(--bad); }
@@ -82,6 +83,8 @@ thead th { color: var(--muted); font-weight: 500; vertical-align: bottom; border
   td, .figures td { display: flow-root; text-align: right; white-space: normal; border: 0; padding: .08em 0; }
   td::before { content: attr(data-head); color: var(--muted); float: left; max-width: 55%; margin-right: .8em; text-align: left; }
   .words tbody th { white-space: normal; }
+  .figures tbody th { min-width: 0; }
+  .figures small { display: inline; }
   .words tr { grid-template-columns: 1fr; }
   .words small { display: inline; }
 }

@@ -174,6 +174,40 @@ std::string rows_table(const results& found, const group_information& group) {
                  rows);
 }
 
+std::string decisions_table(const results& found) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& r : found.rows) {
+        const auto& d = r.decisions;
+        if (d.wrong() + d.undecided != 0) {
+            rows.push_back({escaped(name_of(r.type, r.variant, r.root)), escaped(r.group), readable_count(d.evaluated),
+                            readable_count(d.hit_or_miss), readable_count(d.overlap), readable_count(d.approaching),
+                            readable_count(d.feature), readable_count(d.failed), readable_count(d.undecided)});
+        }
+    }
+    return rows.empty() ? std::string()
+                        : table("figures",
+                                {"type · variant", "group", "pairs", "hit or miss", "overlap", "approaching", "feature",
+                                 "no answer", "left open"},
+                                rows);
+}
+
+std::string intervals_table(const results& found) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& r : found.rows) {
+        const auto* t = information_of(found, r.type);
+        if (t != nullptr && t->is_interval) {
+            rows.push_back({escaped(name_of(r.type, r.variant, r.root)), escaped(r.group),
+                            readable_count(r.decisions.undecided), largest_and_median(r.width),
+                            readable_count(r.not_enclosed)});
+        }
+    }
+    return rows.empty() ? std::string()
+                        : table("figures",
+                                {"type · variant", "group", "decisions left open", "width of τ, ulps",
+                                 "values outside their interval"},
+                                rows);
+}
+
 std::string hardness_table(const results& found, const group_information& group) {
     const auto lines = chosen_lines(found);
     std::vector<std::string> heads = {"k"};
@@ -201,7 +235,10 @@ std::string hardness_table(const results& found, const group_information& group)
         rows.push_back({std::to_string(k)});
         rows.back().insert(rows.back().end(), cells.begin(), cells.end());
     }
-    return rows.empty() ? std::string() : table("figures", heads, rows);
+    return rows.empty() ? std::string()
+                        : "<p>k: " + escaped(group.hardness_name) +
+                              ". Units of the last place of a double; wrong or open decisions in bold.</p>\n" +
+                              table("figures", heads, rows);
 }
 
 } // namespace compare::report

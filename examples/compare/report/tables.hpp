@@ -18,6 +18,10 @@ namespace compare::report {
 [[nodiscard]] std::string matrix_table(const results& found);
 // All rows of one group.
 [[nodiscard]] std::string rows_table(const results& found, const group_information& group);
+// Every kind of wrong or open decision, a row a group, type and variant that has one; empty where there is none.
+[[nodiscard]] std::string decisions_table(const results& found);
+// How wide the times of interval types are, and whether the truth is within; empty without such types.
+[[nodiscard]] std::string intervals_table(const results& found);
 // The worst error of the times by hardness, a column for each line of the pictures; empty without hardness.
 [[nodiscard]] std::string hardness_table(const results& found, const group_information& group);
 
