@@ -1,0 +1,29 @@
+# What measures, concludes and writes, and the program as a whole.
+foreach(part IN ITEMS statistics true_value score)
+    graze_add_test(compare_${part}_test SOURCES ${part}_test.cpp LIBRARIES compare_engine)
+endforeach()
+graze_add_test(compare_results_test SOURCES results_test.cpp report_sample.cpp LIBRARIES compare_engine compare_report)
+if(TARGET graze_number_gmp)
+    graze_add_test(compare_truth_test SOURCES truth_test.cpp LIBRARIES compare_engine graze_number_gmp)
+    target_include_directories(compare_truth_test PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+endif()
+
+graze_add_test(compare_program_test SOURCES program_test.cpp LIBRARIES compare_engine nlohmann_json::nlohmann_json
+    TIMEOUT 600)
+target_compile_definitions(compare_program_test PRIVATE
+    "GRAZE_COMPARE=\"$<TARGET_FILE:graze-compare>\""
+    "GRAZE_JSON_PAGE=\"${PROJECT_SOURCE_DIR}/docs/reference/compare-json.md\"")
+add_dependencies(compare_program_test graze-compare)
+
+# The program on every scene, as its numbers are written and as doubles.
+file(GLOB scenes CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/scenes/*.json")
+foreach(scene IN LISTS scenes)
+    get_filename_component(name "${scene}" NAME_WE)
+    foreach(numbers IN ITEMS double exact)
+        add_test(NAME compare_scene_${name}_${numbers}
+            COMMAND graze-compare "${scene}" --as ${numbers} --types double,cpp_rational
+                --variants halved/printed,lagrange/stable --timing 0.05)
+        set_tests_properties(compare_scene_${name}_${numbers} PROPERTIES TIMEOUT 300
+            PASS_REGULAR_EXPRESSION "cheapest")
+    endforeach()
+endforeach()
