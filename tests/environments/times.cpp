@@ -64,16 +64,17 @@ void add_times(std::vector<subject>& subjects) {
         add_all<2, double, ball, plane>(subjects);
     } else {
         add_all<2, double, ball, plane, wall>(subjects);
-        add_all<3, float, ball, plane>(subjects);
-        add_all<3, std::int64_t, ball>(subjects);
     }
     if constexpr (level == 1) {
-        add_all<3, double, ball, plane>(subjects);
+        add_all<3, float, ball>(subjects);
     } else if constexpr (level >= 2) {
         add_all<3, double, ball, plane, wall>(subjects);
         add_all<2, float, ball, plane, wall>(subjects);
+        add_all<3, float, ball, plane, wall>(subjects);
         add_all<2, std::int32_t, ball, plane, wall>(subjects);
+        add_all<3, std::int32_t, ball, plane, wall>(subjects);
         add_all<2, std::int64_t, ball, plane, wall>(subjects);
+        add_all<3, std::int64_t, ball, plane, wall>(subjects);
     }
 }
 
