@@ -13,7 +13,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+std::size_t times_of(const row& r) { return r.error(quantity::time).count + r.error(quantity::crossing).count; }
+
+// Nothing is known of the times of a row that decided so wrongly that none was left to measure.
+bool nothing_left(const row& r) { return times_of(r) == 0 && r.decisions.wrong() + r.decisions.undecided > 0; }
+
 double fewest_time_bits(const row& r) {
+    if (nothing_left(r)) {
+        return -infinity;
+    }
     double bits = infinity;
     for (const quantity q : {quantity::time, quantity::crossing}) {
         if (r.error(q).unscaled > 0) {
@@ -94,8 +102,13 @@ std::string sentence_of(const results& found) {
     if (std::none_of(found.rows.begin(), found.rows.end(), timed)) {
         return "Nothing was timed, so that no type is the cheapest.";
     }
+    const bool times_are_due =
+        std::any_of(found.rows.begin(), found.rows.end(), [](const row& r) { return times_of(r) > 0; });
     const std::string wanted = std::to_string(found.digits) + (found.digits == 1 ? " digit" : " digits");
-    if (found.good_enough) {
+    if (!times_are_due && found.good_enough) {
+        out << "No time of impact is due here; the cheapest type with no wrong decision is "
+            << in_words(*found.good_enough);
+    } else if (found.good_enough) {
         out << "The cheapest type with no wrong decision and every time good to " << wanted << " here is "
             << in_words(*found.good_enough);
     } else {
@@ -115,6 +128,9 @@ std::string sentence_of(const results& found) {
 } // namespace
 
 double largest_time_error(const row& r) {
+    if (nothing_left(r)) {
+        return infinity;
+    }
     double largest = 0;
     for (const quantity q : {quantity::time, quantity::crossing}) {
         largest = std::max(largest, r.error(q).unscaled > 0 ? infinity : r.error(q).largest);
@@ -145,6 +161,7 @@ std::vector<overall> overall_of(const results& found) {
         place->how.nanoseconds += r.nanoseconds.value_or(infinity) * pairs; // divided below
         place->wrong += r.decisions.wrong() + r.decisions.undecided;
         place->evaluated += r.decisions.evaluated;
+        place->times += times_of(r);
         place->fewest_bits = std::min(place->fewest_bits, fewest_time_bits(r));
         place->exact = place->exact && without_error(r);
         ++groups[static_cast<std::size_t>(place - result.begin())];

@@ -14,7 +14,8 @@ struct overall {
     choice how;
     std::size_t wrong = 0;     // and undecided
     std::size_t evaluated = 0; // pairs
-    double fewest_bits = 0;    // of τ and the crossings; infinite where all are exact
+    std::size_t times = 0;     // of τ and the crossings that were measured
+    double fewest_bits = 0;    // of them; infinite where all are exact, or none is due
     bool exact = false;        // every value of every quantity was without error, and no decision wrong
     bool complete = false;     // measured in every group
 };

@@ -8,6 +8,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -223,15 +224,18 @@ std::string to_json(const results& found) {
     writer("version", schema_version);
     writer("quantile_shares", quantile_shares);
     fields(writer, found);
-    return writer.object.dump(1) + "\n";
+    return writer.object.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 results read_results(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (!in) {
-        throw input_error(path + ": cannot be read");
+    if (std::error_code error; std::filesystem::is_directory(path, error)) {
+        throw input_error(printable(path, 200) + ": is a directory");
     }
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        throw input_error(printable(path, 200) + ": cannot be read");
+    }
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const json_node root = parse_json(text, path, 4096); // a histogram may have a key for every power of two
     const place top{path, ""};
     need(root, json_type::object, "an object", top);

@@ -82,20 +82,45 @@ void check_writable(const std::string& option, const std::string& path) {
 }
 
 void check_outputs(const options& o) {
-    const std::array<std::pair<std::string, std::string>, 3> files = {
-        {{"--json", o.json}, {"--report", o.report}, {"--picture", o.picture}}};
-    for (auto one = files.begin(); one != files.end(); ++one) {
+    namespace fs = std::filesystem;
+    const std::array<std::pair<std::string, std::string>, 4> files = {
+        {{"the scene", o.scene}, {"--json", o.json}, {"--report", o.report}, {"--picture", o.picture}}};
+    for (auto one = files.begin() + 1; one != files.end(); ++one) {
         check_writable(one->first, one->second);
         for (auto earlier = files.begin(); earlier != one; ++earlier) {
             std::error_code error;
             if (!one->second.empty() && !earlier->second.empty() &&
-                std::filesystem::weakly_canonical(earlier->second, error) ==
-                    std::filesystem::weakly_canonical(one->second, error)) {
+                fs::weakly_canonical(fs::absolute(earlier->second), error) ==
+                    fs::weakly_canonical(fs::absolute(one->second), error)) {
                 throw input_error(earlier->first + " and " + one->first + ": the same file");
             }
         }
     }
 }
+
+// A working directory of its own while it lives: CORE writes a file Core_Diagnostics into whichever is current, and
+// ends the program where it may not.
+class scratch_directory {
+  public:
+    scratch_directory() : before_(std::filesystem::current_path()) {
+        std::string name = (std::filesystem::temp_directory_path() / "graze-compare-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) {
+            throw input_error(name + ": cannot be made");
+        }
+        here_ = name;
+        std::filesystem::current_path(here_);
+    }
+    scratch_directory(const scratch_directory&) = delete;
+    scratch_directory& operator=(const scratch_directory&) = delete;
+    ~scratch_directory() {
+        std::error_code ignored;
+        std::filesystem::current_path(before_, ignored);
+        std::filesystem::remove_all(here_, ignored);
+    }
+
+  private:
+    std::filesystem::path before_, here_;
+};
 
 int run_comparison(const options& o) {
     check_outputs(o);
@@ -118,7 +143,10 @@ int run_comparison(const options& o) {
     plan.methods = o.methods;
     plan.every_pair = o.all;
     plan.timing_seconds = o.timing;
-    measure_all(found, types, groups, plan, line);
+    {
+        const scratch_directory scratch;
+        measure_all(found, types, groups, plan, line);
+    }
     line.show("");
     draw_conclusions(found);
     found.seconds = watch.seconds();

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 
 namespace compare {
 
@@ -43,6 +45,15 @@ std::vector<quantity> quantities_of(const std::vector<std::string>& names) {
     return chosen;
 }
 
+// CLI11 takes "-1" and what is too large for unsigned numbers too.
+const CLI::Validator whole_number(
+    [](const std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        return error == std::errc() && end == text.data() + text.size() ? std::string()
+                                                                        : "not a whole number below 2^64";
+    },
+    "");
 const CLI::Validator named([](const std::string& name) { return name.empty() ? "an empty name" : std::string(); }, "");
 
 std::string one_line(std::string text) {
@@ -68,17 +79,20 @@ options parse_options(int argc, const char* const* argv) {
     const auto taking_one = CLI::MultiOptionPolicy::Throw;
     auto* scene =
         app.add_option("scene,--scene", o.scene, "A scene file in JSON")->check(named)->multi_option_policy(taking_one);
-    auto* family =
-        app.add_option("--family", o.family, "Draw a family of hard pairs instead (--list-families)")->excludes(scene);
+    auto* family = app.add_option("--family", o.family, "Draw a family of hard pairs instead (--list-families)")
+                       ->check(named)
+                       ->excludes(scene);
     app.add_option("--count", o.count, "How many pairs of the family")
         ->capture_default_str()
-        ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
+        ->check(CLI::Range(std::size_t{1}, std::size_t{200'000}))
         ->needs(family);
     app.add_option("--dimension", o.dimension, "The family in the plane or in space")
         ->capture_default_str()
         ->check(CLI::IsMember({2, 3}))
         ->needs(family);
-    app.add_option("--seed", o.seed, "Of the family, or of a scene's sample")->capture_default_str();
+    app.add_option("--seed", o.seed, "Of the family, or of a scene's sample")
+        ->capture_default_str()
+        ->check(whole_number);
     app.add_option("--as", as, "double: round the scene's numbers to doubles first; exact: take them as written")
         ->capture_default_str()
         ->check(CLI::IsMember({"double", "exact"}));

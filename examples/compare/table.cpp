@@ -174,7 +174,8 @@ std::string front_table(const results& found) {
         }
         best = &o;
         table.line({o.how.type, o.how.variant + "/" + o.how.root, short_nanoseconds(o.how.nanoseconds),
-                    std::to_string(o.wrong), o.fewest_bits == infinity ? "exact" : short_number(o.fewest_bits)});
+                    std::to_string(o.wrong),
+                    o.fewest_bits == infinity ? (o.times > 0 ? "exact" : "-") : short_number(o.fewest_bits)});
     }
     return table.text();
 }
