@@ -3,6 +3,8 @@
 #include "answers.hpp"
 #include "transform.hpp"
 
+#include <graze/predicate/time_of_impact.hpp>
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -52,8 +54,7 @@ struct event {
 };
 template <class A, class B>
 auto meeting(const A& a, const B& b) {
-    return event<sizeof(a.position) / sizeof(double)>{graze::time_of_impact(a, b).value(),
-                                                      oracle::meet(a, b).time.value()};
+    return event<sizeof(a.position) / sizeof(double)>{answers::time_of(a, b).value(), oracle::meet(a, b).time.value()};
 }
 
 // Events of hard pairs: every family, every fourth of them an exact copy in another guise, so that ties abound.
@@ -61,7 +62,7 @@ template <int N>
 std::vector<event<N>> hard_events(std::size_t of_each) {
     std::vector<event<N>> all;
     const auto add = [&](const auto& a, const auto& b) {
-        if (!graze::time_of_impact(a, b)) {
+        if (!answers::time_of(a, b)) {
             return;
         }
         all.push_back(meeting(a, b));

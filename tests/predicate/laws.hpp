@@ -86,7 +86,7 @@ void scaling(const A& a, const B& b) {
         const double m = oracle::nearest_double(*oracle::meet(a, b).time);
         const int unit = power[0] - power[1];
         if (std::isfinite(m) && scales(m, unit)) {
-            RC_ASSERT((*scaled.time <=> std::ldexp(m, unit)) == (*answer.time <=> m));
+            RC_ASSERT(answers::order_of(*scaled.time, std::ldexp(m, unit)) == answers::order_of(*answer.time, m));
         }
     }
 }

@@ -28,7 +28,7 @@ template <class A, class B>
 void expect_overlap(bool overlap, stage decided_by, const A& a, const B& b, const place here = place::current()) {
     CAPTURE(here.line());
     auto told = stage::filter;
-    CHECK(graze::overlaps(a, b, [&](stage s) { told = s; }) == overlap);
+    CHECK(answers::overlap_of(a, b, told) == overlap);
     CHECK(told == decided_by);
 }
 

@@ -1,3 +1,4 @@
+#include "answers_of_type.hpp"
 #include "types.hpp"
 
 TEST_CASE("The predicates of float agree with the oracle") {

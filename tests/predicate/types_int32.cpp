@@ -1,3 +1,4 @@
+#include "answers_of_type.hpp"
 #include "types.hpp"
 
 TEST_CASE("The predicates of int32 agree with the oracle") {
