@@ -14,7 +14,7 @@ namespace detail {
 
 template <int N, class T>
 constexpr void require_radius(const ball<N, T>& b, const char* argument) {
-    if (sign(b.radius) < 0) {
+    if (graze::sign(b.radius) < 0) {
         throw std::domain_error(std::string(argument) + ": radius is negative");
     }
 }
@@ -29,29 +29,29 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const b
     detail::require_radius(b, "ball b");
     const auto m = relative_motion_of(a, b);
     const auto q = quadratic_of(m);
-    return encounter_of([&] { return sign(q.h); }, [&] { return sign(q.c); },
-                        [&] { return sign(discriminant_halved{}(q)); });
+    return encounter_of([&] { return graze::sign(q.h); }, [&] { return graze::sign(q.c); },
+                        [&] { return graze::sign(discriminant_halved{}(q)); });
 }
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const plane<N, T>& p) {
     detail::require_radius(b, "ball");
     const auto m = relative_motion_of(b, p);
-    if (sign(squared_norm(m.n)) == 0) {
+    if (graze::sign(squared_norm(m.n)) == 0) {
         throw std::domain_error("plane: normal is zero");
     }
-    return encounter_of([&] { return sign(plane_height{}(m)) * sign(plane_speed{}(m)); },
-                        [&] { return sign(plane_clearance{}(m)); }, [] { return 1; });
+    return encounter_of([&] { return graze::sign(plane_height{}(m)) * graze::sign(plane_speed{}(m)); },
+                        [&] { return graze::sign(plane_clearance{}(m)); }, [] { return 1; });
 }
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const wall<N, T>& w) {
     detail::require_radius(b, "ball");
     const auto m = relative_motion_of(b, w);
     for (const auto& e : w.edge) {
-        if (sign(squared_norm(e)) == 0) {
+        if (graze::sign(squared_norm(e)) == 0) {
             throw std::domain_error("wall: edge is zero");
         }
     }
-    if (sign(squared_norm(m.n)) == 0) {
+    if (graze::sign(squared_norm(m.n)) == 0) {
         throw std::domain_error("wall: edges are parallel");
     }
     detail::direct_signs<variant::lagrange, T, std::remove_cvref_t<decltype(m)>> signs(m);
