@@ -8,7 +8,9 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdio>
+#include <unistd.h>
+
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -19,12 +21,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct temporary_file {
-    std::string path = std::tmpnam(nullptr);
-    temporary_file() = default;
+class temporary_file {
+  public:
+    temporary_file() {
+        const int file = mkstemp(path.data());
+        REQUIRE(file >= 0);
+        close(file);
+    }
     temporary_file(const temporary_file&) = delete;
     temporary_file& operator=(const temporary_file&) = delete;
     ~temporary_file() { std::filesystem::remove(path); }
+
+    std::string path = (std::filesystem::temp_directory_path() / "graze-results-XXXXXX").string();
 };
 
 std::string error_of(const std::string& text) {
