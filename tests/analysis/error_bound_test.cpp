@@ -1,0 +1,281 @@
+// The derived constants: by hand, and as bounds of what a search for the worst inputs finds in doubles.
+#include <graze/analysis/error_bound.hpp>
+#include <graze/filter/static_filter.hpp>
+#include <graze/formula/discriminant.hpp>
+#include <graze/formula/wall_encounter.hpp>
+#include <graze/number/floating.hpp>
+#include <graze/number/gmp.hpp>
+#include <graze/predicate/rounded_motion.hpp>
+
+#include "../../examples/families/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cfenv>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+namespace {
+
+using graze::error_bound;
+using exact = graze::gmp_rational;
+
+template <class F>
+concept constant = requires {
+    typename std::bool_constant<(F{}().error >= 0)>;
+};
+
+constexpr error_bound length = error_bound::exact_input({1, 0, 0});
+constexpr error_bound speed = error_bound::exact_input({0, 1, 0});
+constexpr error_bound rounded_length = error_bound::rounded_input({1, 0, 0});
+using same_degree = decltype([] { return length + length; });
+using other_degree = decltype([] { return length + speed; });
+using other_product = decltype([] { return length * length - length * speed; });
+static_assert(constant<same_degree> && !constant<other_degree> && !constant<other_product>);
+
+// The multiple of u that a formula's error comes to; what it has beyond a whole number are terms in u².
+bool is_nearly(const error_bound& b, double units) { return b.error >= units && b.error < units * (1 + 0x1p-45); }
+
+// A ball's motion in 3D from exact and from rounded differences.
+template <int N>
+constexpr auto motion(error_bound::degrees l, error_bound::degrees v, bool rounded) {
+    const auto input = [rounded](error_bound::degrees d) {
+        return rounded ? error_bound::rounded_input(d) : error_bound::exact_input(d);
+    };
+    return graze::relative_motion{graze::bounded_vector<N>(input(l)), graze::bounded_vector<N>(input(v)), input(l)};
+}
+
+struct halved {
+    template <class M>
+    constexpr auto operator()(const M& m) const {
+        return graze::discriminant_halved{}(graze::quadratic_of(m));
+    }
+};
+
+} // namespace
+
+TEST_CASE("The calculus by hand, in units u") {
+    CHECK(is_nearly(length + length, 2)); // one rounding of 2
+    CHECK(is_nearly(rounded_length + rounded_length, 1 + 1 + 2));
+    CHECK(is_nearly(length * speed, 1));
+    CHECK(is_nearly(rounded_length * rounded_length, 1 + 1 + 1));
+    CHECK((length * speed).degree == error_bound::degrees{1, 1, 0});
+    CHECK((length * speed).magnitude >= 1);
+    CHECK((length + length).magnitude >= 2);
+    CHECK((length - length).error == (length + length).error);               // signs are not known
+    CHECK(graze::twice(length * speed).error == 2 * (length * speed).error); // exact
+    CHECK_THROWS_AS((void)(length + speed), std::logic_error);
+    CHECK_THROWS_AS((void)(length * speed - length), std::logic_error);
+}
+
+TEST_CASE("The formulas of two balls by hand") {
+    const auto sharp = motion<3>({1, 0, 0}, {0, 1, 0}, false);
+    const auto rough = motion<3>({1, 0, 0}, {0, 1, 0}, true);
+    // An inner product in space: three roundings, and what its factors bring, one each.
+    CHECK(is_nearly(graze::coefficient_h{}(sharp), 3));
+    CHECK(is_nearly(graze::coefficient_h{}(rough), 3 + 1 + 1));
+    CHECK(is_nearly(graze::coefficient_h{}(motion<2>({1, 0, 0}, {0, 1, 0}, true)), 2 + 1 + 1));
+    // c: |Δx|² as h, R² 3, their difference rounds 2.
+    CHECK(is_nearly(graze::coefficient_c{}(sharp), 3 + 1 + 2));
+    CHECK(is_nearly(graze::coefficient_c{}(rough), 5 + 3 + 2));
+    // D: h² twice h's and one more, ac twice a's (c may be 2) and c's and two more, and their difference rounds 3.
+    CHECK(is_nearly(halved{}(sharp), (2 * 3 + 1) + (2 * 3 + 6 + 2) + 3));
+    CHECK(is_nearly(halved{}(rough), (2 * 5 + 1) + (2 * 5 + 10 + 2) + 3));
+    CHECK(halved{}(rough).degree == error_bound::degrees{2, 2, 0});
+    CHECK(graze::discriminant_lagrange{}(rough).error < halved{}(rough).error);
+}
+
+namespace {
+
+constexpr std::array modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+template <int N>
+double norm(const graze::vec<N, double>& x) { // from above
+    mpq_class sum;
+    for (int i = 0; i < N; ++i) {
+        sum += mpq_class(x[i]) * mpq_class(x[i]);
+    }
+    return std::sqrt(sum.get_d()) * (1 + 0x1p-50);
+}
+
+// Numbers that a motion is made of; the motion in T (in doubles with rounded differences, as the predicates take it)
+// and as the formula sees it; and the scales, which bound the norm of each of its vectors.
+template <int N>
+struct ball_inputs {
+    static constexpr std::size_t count = 4 * static_cast<std::size_t>(N) + 2;
+    using bounds = graze::detail::ball_bounds<N, double>;
+
+    template <class T, class I>
+    static auto make(const I& x) {
+        const auto vector = [&](std::size_t from) {
+            return graze::make_vec<N>([&](int i) { return T(x[from + static_cast<std::size_t>(i)]); });
+        };
+        return graze::relative_motion_of(graze::ball<N, T>{vector(0), vector(N), T(x[4 * N])},
+                                         graze::ball<N, T>{vector(2 * N), vector(3 * N), T(x[4 * N + 1])});
+    }
+    template <class M>
+    static const M& seen(const M& m) {
+        return m;
+    }
+    template <class M>
+    static std::array<double, 3> scales(const M& m) {
+        return {std::max(norm(m.dx), std::fabs(m.R)), norm(m.du), 1};
+    }
+};
+
+template <int N>
+struct wall_inputs {
+    static constexpr std::size_t n = N;
+    static constexpr std::size_t count = n * (n + 2) + 1;
+    using bounds = graze::detail::wall_bounds<N, double>;
+
+    template <class T, class I>
+    static auto make(const I& x) {
+        const auto vector = [&](std::size_t from) {
+            return graze::make_vec<N>([&](int i) { return T(x[from + static_cast<std::size_t>(i)]); });
+        };
+        graze::wall<N, T> w{vector(2 * n), {}};
+        for (std::size_t e = 0; e + 1 < n; ++e) {
+            w.edge[e] = vector((3 + e) * n);
+        }
+        return graze::relative_motion_of(graze::ball<N, T>{vector(0), vector(n), T(x[count - 1])}, w);
+    }
+    // From the corner farthest from the wall's own, for which the bounds are made.
+    template <class M>
+    static auto seen(const M& m) {
+        return graze::seen_from(m, graze::wall_view{N == 2 ? 1 : 3, false});
+    }
+    template <class M>
+    static std::array<double, 3> scales(const M& m) {
+        double largest = std::max(norm(m.w), m.r);
+        for (const auto& e : m.e) {
+            largest = std::max(largest, norm(e));
+        }
+        return {largest, norm(m.u), 1};
+    }
+};
+
+double power(double x, int n) { return n == 0 ? 1.0 : x * power(x, n - 1); }
+
+// |computed - exact| of F over its bound, on these inputs, in this rounding mode.
+template <class Inputs, class F, class I>
+double share_of_bound(const I& x, int mode) {
+    constexpr double k = graze::filter_constant(F{}, Inputs::bounds::value());
+    constexpr error_bound::degrees d = graze::filter_degrees(F{}, Inputs::bounds::value());
+    std::fesetround(mode);
+    const auto rounded = Inputs::template make<double>(x);
+    const double computed = F{}(Inputs::seen(rounded));
+    std::fesetround(FE_TONEAREST);
+    const mpq_class truth = F{}(Inputs::seen(Inputs::template make<exact>(x))).value();
+    const auto scale = Inputs::scales(rounded);
+    const double bound = k * power(scale[0], d[0]) * power(scale[1], d[1]) * power(scale[2], d[2]);
+    return mpq_class(abs(mpq_class(computed) - truth)).get_d() / bound;
+}
+
+// 53 random bits, its magnitude in [1, 2): where roundings are relatively largest or smallest, by the search's choice.
+double random_double(families::random& r) {
+    const std::uint64_t fraction = r.one_in(4) ? r.below(4) : r.next() >> 12U;
+    const double x = std::bit_cast<double>(std::uint64_t{1023} << 52U | fraction);
+    return r.one_in(2) ? x : -x;
+}
+
+// The largest share that a search finds: random starts, then changes of one number that make it larger.
+template <class Inputs, class F>
+double worst_share(int mode) {
+    families::random r(static_cast<std::uint64_t>(mode) + 17);
+    double worst = 0;
+    for (int start = 0; start < 12; ++start) {
+        std::array<double, Inputs::count> x{};
+        for (double& component : x) {
+            component = random_double(r);
+        }
+        x.back() = std::fabs(x.back());
+        double share = share_of_bound<Inputs, F>(x, mode);
+        for (int step = 0; step < 60; ++step) {
+            auto y = x;
+            double& changed = y[r.below(y.size())];
+            changed = r.one_in(3) ? changed * (r.one_in(2) ? 0.5 : 2.0) : random_double(r);
+            y.back() = std::fabs(y.back());
+            if (const double other = share_of_bound<Inputs, F>(y, mode); other > share) {
+                share = other;
+                x = y;
+            }
+        }
+        worst = std::max(worst, share);
+    }
+    return worst;
+}
+
+// No share may be more than 1, and the largest is more than `least`: the bound is not larger than need be by more than
+// that. Where least is half or more, half of the constant would have been found out.
+template <class Inputs, class F>
+void check_bound(const std::string& name, double least) {
+    double worst = 0;
+    for (const int mode : modes) {
+        const double share = worst_share<Inputs, F>(mode);
+        worst = std::max(worst, share);
+        CHECK_MESSAGE(share <= 1, name);
+    }
+    CHECK_MESSAGE(worst > least, name);
+    MESSAGE(name << ": of its bound, the worst error found is " << worst);
+}
+
+// (r_a + r_b)²: 3u of it.
+struct square_of_radii {
+    template <class M>
+    constexpr auto operator()(const M& m) const {
+        return m.R * m.R;
+    }
+};
+
+} // namespace
+
+TEST_CASE("No error found in doubles is larger than its bound, in any rounding mode") {
+    using ball2 = ball_inputs<2>;
+    using ball3 = ball_inputs<3>;
+    check_bound<ball2, graze::coefficient_h>("h, 2D", 0.5);
+    check_bound<ball3, graze::coefficient_h>("h, 3D", 0.5);
+    check_bound<ball3, graze::coefficient_c>("c, 3D", 0.2);
+    check_bound<ball2, halved>("D halved, 2D", 0.1);
+    check_bound<ball3, halved>("D halved, 3D", 0.1);
+    check_bound<ball2, graze::discriminant_lagrange>("D by Lagrange, 2D", 0.12);
+    check_bound<ball3, graze::discriminant_lagrange>("D by Lagrange, 3D", 0.12);
+
+    using wall2 = wall_inputs<2>;
+    using wall3 = wall_inputs<3>;
+    check_bound<wall2, graze::plane_height>("a segment's height", 0.15);
+    check_bound<wall2, graze::side_height<0, 1>>("a segment's side", 0.1);
+    check_bound<wall2, graze::face_foot_p<0, 1>>("a segment's foot", 0.04);
+    check_bound<wall3, graze::plane_height>("a wall's height", 0.06);
+    check_bound<wall3, graze::plane_clearance>("a wall's clearance", 0.015);
+    check_bound<wall3, graze::side_height<0, 1>>("a wall's side", 0.04);
+    check_bound<wall3, graze::face_foot_p<1, 0>>("a wall's foot", 0.03);
+    check_bound<wall3, graze::edge_h>("an edge's h", 0.08);
+    check_bound<wall3, graze::edge_c>("an edge's c", 0.06);
+    check_bound<wall3, graze::edge_reduced_discriminant>("an edge's D", 0.04);
+    check_bound<wall3, graze::corner_formula<graze::discriminant_lagrange>>("a corner's D", 0.14);
+    using p = graze::face_foot_p<0, 0>;
+    check_bound<wall3, graze::root_norm<p, graze::face_foot_q<0>, graze::face_foot_d>>("a foot's norm", 0.007);
+}
+
+TEST_CASE("A constant of half the size would be found out") {
+    // Both roundings may be of nearly u each, the first of which counts twice.
+    using ball2 = ball_inputs<2>;
+    double worst = 0;
+    families::random r(1);
+    for (int i = 0; i < 20000; ++i) {
+        std::array<double, ball2::count> x{};
+        x[8] = 1 + static_cast<double>(r.below(1U << 10U)) * 0x1p-52;
+        x[9] = static_cast<double>(r.below(1U << 10U) + 1) * 0x1p-62;
+        for (const int mode : modes) {
+            worst = std::max(worst, share_of_bound<ball2, square_of_radii>(x, mode));
+        }
+    }
+    CHECK(worst <= 1);
+    CHECK(worst > 0.5);
+    MESSAGE("of its bound, the worst error of R² found is " << worst);
+}

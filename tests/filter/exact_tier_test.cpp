@@ -1,0 +1,98 @@
+// The integers that a formula runs in are as wide as its inputs need, and hold their values.
+#include <graze/filter/exact_tier.hpp>
+#include <graze/formula/quadratic.hpp>
+#include <graze/predicate/pair.hpp>
+
+#include <doctest/doctest.h>
+#include <gmpxx.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace {
+
+using ball = graze::ball<2, double>;
+
+template <int Bits>
+mpz_class value(const graze::integer<Bits>& x) {
+    mpz_class sum = x.is_negative() ? mpz_class(-1) : mpz_class(0);
+    for (int i = graze::integer<Bits>::limbs; i-- > 0;) {
+        sum = (sum << 64) + mpz_class(static_cast<unsigned long>(x.limb(i)));
+    }
+    return sum;
+}
+template <int Bits>
+mpz_class value(const graze::sparse_integer<Bits>& x) {
+    mpz_class sum;
+    for (int i = 0; i < x.count(); ++i) {
+        sum += mpz_class(static_cast<long>(x.digit(i))) << static_cast<unsigned long>(64 * x.position(i));
+    }
+    return sum;
+}
+
+struct seen {
+    int width; // of the lifted inputs
+    int tier;  // the width of the type that was chosen
+    mpq_class dx, du, R;
+};
+
+template <class>
+inline constexpr int width_of = 0;
+template <int Bits>
+inline constexpr int width_of<graze::integer<Bits>> = Bits;
+template <int Bits>
+inline constexpr int width_of<graze::sparse_integer<Bits>> = Bits;
+
+mpq_class scaled(const mpz_class& x, int exponent) {
+    const mpz_class power = mpz_class(1) << static_cast<unsigned long>(std::abs(exponent));
+    return exponent < 0 ? mpq_class(x, power) : mpq_class(x * power);
+}
+
+// What the exact tier makes of two balls: the first component of each difference, and R.
+seen look(const ball& a, const ball& b) {
+    using pair = graze::two_balls<2>;
+    const auto in = graze::lift_row<pair>(graze::packed<pair>(a, b));
+    return graze::with_exact_motion<pair>(in, [&](const auto& m) {
+        seen s{in.width(), width_of<std::remove_cvref_t<decltype(m.dx[0])>> - 1, // one bit more than the inputs
+               scaled(value(m.dx[0]), in.length.exponent), scaled(value(m.du[0]), in.velocity.exponent),
+               scaled(value(m.R), in.length.exponent)};
+        s.dx.canonicalize();
+        s.du.canonicalize();
+        s.R.canonicalize();
+        return s;
+    });
+}
+
+void check(const ball& a, const ball& b, int tier) {
+    const seen s = look(a, b);
+    CHECK(s.tier == tier);
+    CHECK(s.width <= tier);
+    CHECK(s.dx == mpq_class(a.position[0]) - mpq_class(b.position[0]));
+    CHECK(s.du == mpq_class(a.velocity[0]) - mpq_class(b.velocity[0]));
+    CHECK(s.R == mpq_class(a.radius) + mpq_class(b.radius));
+}
+
+constexpr ball rest{{0, 0}, {0, 0}, 1};
+
+} // namespace
+
+TEST_CASE("The narrowest tier that holds the inputs is taken") {
+    using namespace graze;
+    check({{5, 1}, {-1, 0}, 1}, rest, one_limb_width);
+    check({{0x1.fffffffffffffp7, 1}, {-1, 0}, 1}, rest, one_limb_width);
+    check({{0x1.fffffffffffffp7, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, one_limb_width); // 60 bits
+    check({{0x1.fffffffffffffp9, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, two_limb_width); // 62
+    check({{0x1.fffffffffffffp60, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, two_limb_width);
+    check({{0x1.fffffffffffffp75, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, full_width);
+    check({{1, 1}, {0x1.fffffffffffffp75, 0x1.fffffffffffffp0}, 1}, rest, full_width);
+    const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+    check({{most, least}, {-most, least}, most}, {{-most, -least}, {most, -least}, most}, full_width);
+}
+
+TEST_CASE("Only the spread of exponents counts, and zeros have none") {
+    using namespace graze;
+    check({{0x1p1000, 0}, {0x1p-1000, 0}, 0}, {{0, 0x1p990}, {0, 0}, 0}, one_limb_width);
+    check({{0x1p-1074, 0}, {0x1p1023, 0}, 0}, {{0x1p-1070, 0}, {0, -0.0}, 0}, one_limb_width);
+    check({{0, 0}, {0, 0}, 0}, {{0, 0}, {0, 0}, 0}, one_limb_width);
+}
