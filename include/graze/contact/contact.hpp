@@ -1,0 +1,37 @@
+// Where and how things leave when they meet.
+#pragma once
+
+#include <graze/formula/wall_encounter.hpp>
+#include <graze/linear/vec.hpp>
+
+namespace graze {
+
+// Of two balls, each component the exact value rounded once, to nearest with ties to even. time: from the instant at
+// which the positions are given, τ >= 0. position_a, position_b: of the centres then. normal: the unit vector from b to
+// a; zero when two points meet. velocity_a, velocity_b: after the impact; of a graze, and of a ball of infinite mass,
+// those before, bit for bit. An exact zero is +0 and what is beyond the largest T an infinity.
+template <int N, class T = double>
+struct contact {
+    T time{};
+    vec<N, T> position_a{}, position_b{};
+    vec<N, T> normal{};
+    vec<N, T> velocity_a{}, velocity_b{};
+
+    [[nodiscard]] friend constexpr bool operator==(const contact&, const contact&) = default;
+};
+
+// Of a ball and a plane or a wall, rounded alike. position: of the centre then. point: where the plane or wall is
+// touched; of an overlap the point of it that is nearest to the centre. normal: the unit vector from there to the ball;
+// zero when a point grazes a border. where: which feature of the wall is met; of a plane always its face.
+template <int N, class T = double>
+struct wall_contact {
+    T time{};
+    vec<N, T> position{}, point{};
+    vec<N, T> normal{};
+    vec<N, T> velocity{};
+    feature where = feature::face;
+
+    [[nodiscard]] friend constexpr bool operator==(const wall_contact&, const wall_contact&) = default;
+};
+
+} // namespace graze

@@ -1,0 +1,133 @@
+// The components of two balls' contact as exact numbers (p + q√D)/r, each rounded once.
+//
+// With τ = (-h - √D)/a the formulas of formula/ give, over common denominators and without a division (m' is the other
+// ball's mass, M = m_a + m_b, N = a Δx - h Δu, D = h² - ac):
+//   position  x + u τ                          = (a x - h u - u √D)/a                                       (13)
+//   normal    (Δx + Δu τ)/R                    = (N - Δu √D)/(a R)                                          (20)
+//   velocity  u ∓ (2m'/M) ⟨Δu,X̂⟩ X̂            = (M a R² u ∓ 2m' D Δu ± 2m' √D N)/(M a R²)                  (23), (29)
+// since ⟨Δu,X̂⟩ = (h + aτ)/R = -√D/R; upper signs for ball a. For an overlap X̂ = Δx/|Δx| and ⟨Δu,X̂⟩ X̂ = h Δx/|Δx|².
+#pragma once
+
+#include <graze/contact/contact.hpp>
+#include <graze/contact/parts.hpp>
+#include <graze/formula/contact.hpp>
+#include <graze/formula/encounter.hpp>
+#include <graze/predicate/rounded_time.hpp>
+
+namespace graze::detail {
+
+// The exponents of the scales of lengths and velocities.
+struct scales {
+    int length, velocity;
+    [[nodiscard]] constexpr int time() const noexcept { return length - velocity; }
+};
+
+// An approach of two centres whose distance at contact is m.R: τ and all that follows. Also a ball and a corner.
+template <class T, int N, class M>
+class exact_approach {
+  public:
+    constexpr exact_approach(const M& m, scales s) : m_(m), scales_(s) {}
+
+    [[nodiscard]] constexpr T time() const { return round_root<T>(a_, h_, discriminant_, scales_.time()); }
+
+    // Of a centre that is at x now and moves with u.
+    template <class I>
+    [[nodiscard]] constexpr T position(const I& x, const I& u) const {
+        return round_to<T>(a_ * x - h_ * u, -u, discriminant_, a_, scales_.length);
+    }
+
+    [[nodiscard]] constexpr T normal(int i) const {
+        return round_to<T>(across_[i], -m_.du[i], discriminant_, a_ * m_.R, 0);
+    }
+
+    // Of the ball whose velocity was u. share: twice the other's mass, for ball b its negative; sum: of the masses.
+    template <class I, class S, class W>
+    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
+        const auto r = sum * (a_ * (m_.R * m_.R));
+        return round_to<T>(r * u - share * (discriminant_.value * m_.du[i]), share * across_[i], discriminant_, r,
+                           scales_.velocity);
+    }
+
+  private:
+    using A = decltype(coefficient_a{}(std::declval<M>()));
+    using H = decltype(coefficient_h{}(std::declval<M>()));
+    using D = decltype(discriminant_lagrange{}(std::declval<M>()));
+
+    const M& m_;
+    scales scales_;
+    A a_ = coefficient_a{}(m_);
+    H h_ = coefficient_h{}(m_);
+    radicand<D> discriminant_{discriminant_lagrange{}(m_)};
+    decltype(position_at(std::declval<A>() * std::declval<M>().dx, std::declval<M>().du, -std::declval<H>())) across_ =
+        position_at(a_ * m_.dx, m_.du, -h_);
+};
+
+// Two centres inside each other and getting deeper: along the line between them, now.
+template <class T, int N, class M>
+class exact_overlap {
+  public:
+    constexpr exact_overlap(const M& m, scales s) : m_(m), scales_(s) {}
+
+    [[nodiscard]] constexpr T normal(int i) const {
+        return round_to<T>(integer<1>(0), m_.dx[i], square_, square_.value, 0);
+    }
+
+    template <class I, class S, class W>
+    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
+        const auto r = sum * square_.value;
+        return round_to<T>(r * u - share * (h_ * m_.dx[i]), r, scales_.velocity);
+    }
+
+  private:
+    const M& m_;
+    scales scales_;
+    decltype(coefficient_h{}(std::declval<M>())) h_ = coefficient_h{}(m_);
+    radicand<decltype(graze::squared_norm(std::declval<M>().dx))> square_{graze::squared_norm(m_.dx)};
+};
+
+// Two balls in integers, with their masses; (1, 0) where the first one is infinite.
+template <int N, class I, class M>
+struct exact_balls {
+    M relative;
+    vec<N, I> position_a, position_b, velocity_a, velocity_b;
+    I mass_a, mass_b;
+};
+
+template <int N, class T, class I, class M>
+constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, I, M>& e, scales s) {
+    const auto twice_a = graze::twice(e.mass_a);
+    const auto twice_b = graze::twice(e.mass_b);
+    const auto sum = e.mass_a + e.mass_b;
+    const auto velocities = [&](const auto& exact) {
+        if (graze::sign(e.mass_b) != 0) {
+            fill(c.velocity_a, wanted, part::velocity_a,
+                 [&](int i) { return exact.velocity(e.velocity_a[i], i, twice_b, sum); });
+        }
+        if (graze::sign(e.mass_a) != 0) {
+            fill(c.velocity_b, wanted, part::velocity_b,
+                 [&](int i) { return exact.velocity(e.velocity_b[i], i, -twice_a, sum); });
+        }
+    };
+    if (what == encounter::overlap) {
+        const exact_overlap<T, N, M> exact(e.relative, s);
+        fill(c.normal, wanted, part::normal, [&](int i) { return exact.normal(i); });
+        velocities(exact);
+        return;
+    }
+    const exact_approach<T, N, M> exact(e.relative, s);
+    if (has_time(wanted)) {
+        c.time = exact.time();
+    }
+    fill(c.position_a, wanted, part::position_a,
+         [&](int i) { return exact.position(e.position_a[i], e.velocity_a[i]); });
+    fill(c.position_b, wanted, part::position_b,
+         [&](int i) { return exact.position(e.position_b[i], e.velocity_b[i]); });
+    if (graze::sign(e.relative.R) != 0) { // otherwise two points, which graze
+        fill(c.normal, wanted, part::normal, [&](int i) { return exact.normal(i); });
+    }
+    if (what == encounter::hit) {
+        velocities(exact);
+    }
+}
+
+} // namespace graze::detail

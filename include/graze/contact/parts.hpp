@@ -1,0 +1,33 @@
+// The components of a contact by number, so that each way of rounding can do those that another has left.
+#pragma once
+
+#include <graze/linear/vec.hpp>
+
+namespace graze::detail {
+
+// A set of components: bit 0 is the time, then come the vectors of a contact in their order, three bits each.
+using parts = unsigned;
+inline constexpr parts all_parts = ~0U;
+
+enum class part { position_a = 1, position_b = 4, normal = 7, velocity_a = 10, velocity_b = 13 };
+enum class wall_part { position = 1, point = 4, normal = 7, velocity = 10 };
+
+[[nodiscard]] constexpr bool has_time(parts wanted) noexcept { return (wanted & 1U) != 0; }
+
+// x[i] = f(i) for the components of x that are wanted; its first one has the number `first`.
+template <int N, class T, class Part, class F>
+constexpr void fill(vec<N, T>& x, parts wanted, Part first, F f) {
+    const parts mine = wanted >> static_cast<unsigned>(first);
+    for (int i = 0; i < N; ++i) {
+        if ((mine >> i & 1U) != 0) {
+            x[i] = f(i);
+        }
+    }
+}
+
+template <class Part>
+[[nodiscard]] constexpr bool has_any(parts wanted, Part first) noexcept {
+    return (wanted >> static_cast<unsigned>(first) & 7U) != 0;
+}
+
+} // namespace graze::detail

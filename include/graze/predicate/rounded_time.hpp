@@ -1,0 +1,84 @@
+// An event's exact time, rounded.
+#pragma once
+
+#include <graze/number/surd.hpp>
+#include <graze/predicate/enclosure.hpp>
+#include <graze/predicate/event.hpp>
+
+namespace graze::detail {
+
+// The smaller root (-h - √D)/a of a quadratic with a > 0, in units of 2^unit.
+template <class T, class A, class H, class D>
+[[nodiscard]] constexpr T round_root(const A& a, const H& h, const radicand<D>& discriminant, int unit,
+                                     rounding mode = rounding::nearest) {
+    return round_to<T>(-h, integer<1>(-1), discriminant, a, unit, mode);
+}
+
+// When a ball that approaches a plane touches it, (33) completed: (|w·n| - r √(n·n))/|u·n|.
+template <class T, class M, class NN>
+[[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<NN>& normal, int unit,
+                                           rounding mode = rounding::nearest) {
+    const auto height = plane_height{}(m);
+    const auto speed = plane_speed{}(m); // of the other sign
+    return graze::sign(height) < 0 ? round_to<T>(-height, -m.r, normal, speed, unit, mode)
+                                   : round_to<T>(height, -m.r, normal, -speed, unit, mode);
+}
+
+// The time of an event, from its inputs.
+template <class T, int N, class U>
+[[nodiscard]] constexpr T round_exactly(const event<N, U>& e, rounding mode) {
+    if (e.overlap) {
+        return T(0);
+    }
+    return with_pair<N>(e.kind, [&]<class P>(P) {
+        const auto inputs = lift_row<P>(e.row);
+        const int unit = inputs.length.exponent - inputs.velocity.exponent;
+        return with_exact_motion<P>(inputs, [&](const auto& m) {
+            const auto from_plane = [&](const auto& face) {
+                return round_plane_time<T>(face, radicand(graze::squared_norm(face.n)), unit, mode);
+            };
+            if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
+                return from_plane(m);
+            } else {
+                if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
+                    if (e.kind == event_kind::face) {
+                        return from_plane(face_of(m));
+                    }
+                }
+                return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) {
+                    return round_root<T>(q.a, q.h, radicand(discriminant_halved{}(q)), unit, mode);
+                });
+            }
+        });
+    });
+}
+
+// The same of a double.
+template <class T>
+[[nodiscard]] constexpr T round_double(const double& x, rounding mode) {
+    const binary b = to_binary(x);
+    if (b.significand == 0) {
+        return T(0);
+    }
+    const leading exact =
+        leading_of_words(0, static_cast<std::uint64_t>(b.significand < 0 ? -b.significand : b.significand), b.exponent,
+                         b.significand < 0, 0);
+    return round_estimate<T>(exact, mode, [](std::uint64_t, int) { return 0; });
+}
+
+// The time of an event in the enclosure: where both ends are rounded to the same number, so is it.
+template <class T, int N, class U>
+[[nodiscard]] constexpr T round_time(const event<N, U>& e, const enclosure& bounds, rounding mode) {
+    if (bits_of(bounds.upper) == 0) {
+        return T(0);
+    }
+    if constexpr (std::numeric_limits<T>::digits < 40) { // the enclosure is hardly ever narrow enough for doubles
+        const T low = round_double<T>(bounds.lower, mode);
+        if (bits_of(low) == bits_of(round_double<T>(bounds.upper, mode))) {
+            return low;
+        }
+    }
+    return round_exactly<T>(e, mode);
+}
+
+} // namespace graze::detail
