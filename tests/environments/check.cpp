@@ -1,6 +1,7 @@
 // environment_check FILE [--started-flushing]: asks the predicates, as this program was compiled, the questions of the
 // file, in every rounding mode, with and without subnormals, and as the process started. Ends with 0 if every answer is
 // that of the file, with 1 if not, with 77 if the process was to start with subnormals flushed to zero and did not.
+#include "callers.hpp"
 #include "state.hpp"
 #include "subject.hpp"
 
@@ -125,6 +126,9 @@ class checker {
                 }
             }
         }
+        const caller_tally callers = ask_callers();
+        callers_.asked += callers.asked;
+        callers_.different += callers.different;
         modes_.emplace_back(mode, t);
         total_.answers += t.answers;
         total_.filter += t.filter;
@@ -144,10 +148,13 @@ class checker {
         for (const std::string& line : wrong_) {
             std::printf("wrong: %s\n", line.c_str());
         }
+        std::printf("%lu pairs asked in a caller's arithmetic, of which %lu were answered otherwise than from memory\n",
+                    callers_.asked, callers_.different);
         if (total_.filter == 0 || total_.exact == 0) {
             std::printf("one of the stages decided nothing\n");
         }
-        return total_.wrong == 0 && total_.answers != 0 && total_.filter != 0 && total_.exact != 0;
+        return callers_.asked != 0 && callers_.different == 0 && total_.wrong == 0 && total_.answers != 0 &&
+               total_.filter != 0 && total_.exact != 0;
     }
 
   private:
@@ -159,6 +166,7 @@ class checker {
     std::vector<std::pair<std::string, tally>> modes_;
     std::vector<std::string> wrong_;
     tally total_;
+    caller_tally callers_;
 };
 
 int run(const char* path, bool must_start_flushing) {

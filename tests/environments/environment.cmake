@@ -52,7 +52,7 @@ foreach(file IN LISTS made_of)
 endforeach()
 finish("does not compile")
 if(is_old)
-    foreach(source IN ITEMS check state balls walls times)
+    foreach(source IN ITEMS check state callers balls walls times)
         list(APPEND sources "${here}/${source}.cpp")
     endforeach()
     execute_process(COMMAND "${COMPILER}" -std=c++20 ${FLAGS} "-DGRAZE_ENVIRONMENT_LEVEL=${LEVEL}" "-I${ROOT}/include"

@@ -51,9 +51,9 @@ mpq_class scaled(const mpz_class& x, int exponent) {
 
 // What the exact tier makes of two balls: the first component of each difference, and R.
 seen look(const ball& a, const ball& b) {
-    using pair = graze::two_balls<2>;
-    const auto in = graze::lift_row<pair>(graze::packed<pair>(a, b));
-    return graze::with_exact_motion<pair>(in, [&](const auto& m) {
+    using pair = graze::detail::two_balls<2>;
+    const auto in = graze::detail::lift_row<pair>(graze::detail::packed<pair>(a, b));
+    return graze::detail::with_exact_motion<pair>(in, [&](const auto& m) {
         seen s{in.width(), width_of<std::remove_cvref_t<decltype(m.dx[0])>> - 1, // one bit more than the inputs
                scaled(value(m.dx[0]), in.length.exponent), scaled(value(m.du[0]), in.velocity.exponent),
                scaled(value(m.R), in.length.exponent)};
@@ -79,20 +79,20 @@ constexpr ball rest{{0, 0}, {0, 0}, 1};
 
 TEST_CASE("The narrowest tier that holds the inputs is taken") {
     using namespace graze;
-    check({{5, 1}, {-1, 0}, 1}, rest, one_limb_width);
-    check({{0x1.fffffffffffffp7, 1}, {-1, 0}, 1}, rest, one_limb_width);
-    check({{0x1.fffffffffffffp7, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, one_limb_width); // 60 bits
-    check({{0x1.fffffffffffffp9, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, two_limb_width); // 62
-    check({{0x1.fffffffffffffp60, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, two_limb_width);
-    check({{0x1.fffffffffffffp75, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, full_width);
-    check({{1, 1}, {0x1.fffffffffffffp75, 0x1.fffffffffffffp0}, 1}, rest, full_width);
+    check({{5, 1}, {-1, 0}, 1}, rest, graze::detail::one_limb_width);
+    check({{0x1.fffffffffffffp7, 1}, {-1, 0}, 1}, rest, graze::detail::one_limb_width);
+    check({{0x1.fffffffffffffp7, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, graze::detail::one_limb_width); // 60 bits
+    check({{0x1.fffffffffffffp9, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, graze::detail::two_limb_width); // 62
+    check({{0x1.fffffffffffffp60, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, graze::detail::two_limb_width);
+    check({{0x1.fffffffffffffp75, 0x1.fffffffffffffp0}, {-1, 0}, 1}, rest, graze::detail::full_width);
+    check({{1, 1}, {0x1.fffffffffffffp75, 0x1.fffffffffffffp0}, 1}, rest, graze::detail::full_width);
     const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-    check({{most, least}, {-most, least}, most}, {{-most, -least}, {most, -least}, most}, full_width);
+    check({{most, least}, {-most, least}, most}, {{-most, -least}, {most, -least}, most}, graze::detail::full_width);
 }
 
 TEST_CASE("Only the spread of exponents counts, and zeros have none") {
     using namespace graze;
-    check({{0x1p1000, 0}, {0x1p-1000, 0}, 0}, {{0, 0x1p990}, {0, 0}, 0}, one_limb_width);
-    check({{0x1p-1074, 0}, {0x1p1023, 0}, 0}, {{0x1p-1070, 0}, {0, -0.0}, 0}, one_limb_width);
-    check({{0, 0}, {0, 0}, 0}, {{0, 0}, {0, 0}, 0}, one_limb_width);
+    check({{0x1p1000, 0}, {0x1p-1000, 0}, 0}, {{0, 0x1p990}, {0, 0}, 0}, graze::detail::one_limb_width);
+    check({{0x1p-1074, 0}, {0x1p1023, 0}, 0}, {{0x1p-1070, 0}, {0, -0.0}, 0}, graze::detail::one_limb_width);
+    check({{0, 0}, {0, 0}, 0}, {{0, 0}, {0, 0}, 0}, graze::detail::one_limb_width);
 }

@@ -9,8 +9,8 @@
 namespace {
 
 using limits = std::numeric_limits<double>;
-using graze::certain_sign;
-using graze::open;
+using graze::detail::certain_sign;
+using graze::detail::open;
 using graze::detail::within_powers;
 
 struct square_of_a_difference {
@@ -42,11 +42,11 @@ TEST_CASE("A value beyond its bound has a certain sign, all else is open") {
 }
 
 TEST_CASE("Powers of a scale") {
-    CHECK(graze::power_of<0>(3.0) == 1.0);
-    CHECK(graze::power_of<1>(3.0) == 3.0);
-    CHECK(graze::power_of<2>(3.0) == 9.0);
-    CHECK(graze::power_of<5>(3.0) == 243.0);
-    CHECK(graze::power_of<12>(2.0) == 4096.0);
+    CHECK(graze::detail::power_of<0>(3.0) == 1.0);
+    CHECK(graze::detail::power_of<1>(3.0) == 3.0);
+    CHECK(graze::detail::power_of<2>(3.0) == 9.0);
+    CHECK(graze::detail::power_of<5>(3.0) == 243.0);
+    CHECK(graze::detail::power_of<12>(2.0) == 4096.0);
 }
 
 TEST_CASE("A range of powers of two holds its lower end and nothing that is not a positive number") {

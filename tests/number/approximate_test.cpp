@@ -11,7 +11,7 @@
 
 namespace {
 
-mpq_class value(const graze::scaled_double& x) {
+mpq_class value(const graze::detail::scaled_double& x) {
     const mpz_class p = wide::power(std::abs(x.exponent));
     return mpq_class(x.significand) * (x.exponent < 0 ? mpq_class(1, p) : mpq_class(p));
 }
@@ -21,7 +21,7 @@ template <class I>
 void check(const I& x, const mpz_class& truth) {
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(mode);
-        const graze::scaled_double y = graze::approximate(x);
+        const graze::detail::scaled_double y = graze::detail::approximate(x);
         std::fesetround(FE_TONEAREST);
         RC_ASSERT(abs(value(y) - truth) * wide::power(50) <= abs(truth));
         RC_ASSERT(std::fabs(y.significand) < 0x1p65);
@@ -65,14 +65,14 @@ TEST_CASE("Wide integers as doubles") {
     CHECK(rc::check(check_integer<128>));
     CHECK(rc::check(check_integer<517>));
     CHECK(rc::check(check_sparse));
-    CHECK(graze::approximate(graze::integer<200>()).significand == 0);
-    CHECK(graze::approximate(graze::sparse_integer<200>()).significand == 0);
+    CHECK(graze::detail::approximate(graze::integer<200>()).significand == 0);
+    CHECK(graze::detail::approximate(graze::sparse_integer<200>()).significand == 0);
 }
 
 TEST_CASE("Powers of two") {
     int wrong = 0;
     for (int e = -1022; e <= 1023; ++e) {
-        wrong += graze::power_of_two(e) == std::ldexp(1.0, e) ? 0 : 1;
+        wrong += graze::detail::power_of_two(e) == std::ldexp(1.0, e) ? 0 : 1;
     }
     CHECK(wrong == 0);
 }

@@ -30,10 +30,10 @@ mpq_class power(int exponent) {
 
 template <class T>
 void check_number(T x) {
-    const graze::binary b = graze::to_binary(x);
+    const graze::detail::binary b = graze::detail::to_binary(x);
     RC_ASSERT(wide::from_signed(b.significand) * power(b.exponent) == exact(x));
     RC_ASSERT((b.significand % 2 != 0) == (x != 0));
-    RC_ASSERT(graze::is_finite_input(x));
+    RC_ASSERT(graze::detail::is_finite_input(x));
 }
 
 // Any finite number of T: any bits, or an end of the range, or small.
@@ -62,8 +62,8 @@ void check_lifted() {
     for (T& x : values) {
         x = any_number<T>();
     }
-    graze::lifted<5> group;
-    graze::lift(group, values.data());
+    graze::detail::lifted<5> group;
+    graze::detail::lift(group, values.data());
     for (std::size_t i = 0; i < values.size(); ++i) {
         const mpq_class whole = exact(values[i]) / power(group.exponent);
         RC_ASSERT(whole.get_den() == 1);
@@ -89,11 +89,11 @@ void check_aligned() {
     }
     x[0] = x[0] == 0 ? 1 : x[0];
     y[0] = y[0] == 0 ? 1 : y[0];
-    graze::lifted<3> a;
-    graze::lifted<2> b;
-    graze::lift(a, x.data());
-    graze::lift(b, y.data());
-    graze::align(a, b);
+    graze::detail::lifted<3> a;
+    graze::detail::lifted<2> b;
+    graze::detail::lift(a, x.data());
+    graze::detail::lift(b, y.data());
+    graze::detail::align(a, b);
     RC_ASSERT(a.exponent == b.exponent);
     RC_ASSERT(a.width == b.width);
     RC_ASSERT(a.width <= 2098);
@@ -110,14 +110,14 @@ void check_aligned() {
 }
 
 using limits = std::numeric_limits<double>;
-static_assert(graze::to_binary(-0.0).significand == 0);
-static_assert(graze::to_binary(limits::denorm_min()).exponent == -1074);
-static_assert(graze::to_binary(-1.5).significand == -3 && graze::to_binary(-1.5).exponent == -1);
-static_assert(graze::to_binary(std::numeric_limits<std::int64_t>::min()).significand == -1);
-static_assert(graze::to_binary(std::numeric_limits<std::int64_t>::min()).exponent == 63);
-static_assert(!graze::is_finite_input(limits::infinity()) && !graze::is_finite_input(-limits::quiet_NaN()));
-static_assert(!graze::is_finite_input(std::numeric_limits<float>::signaling_NaN()));
-static_assert(graze::is_finite_input(limits::max()) && graze::is_finite_input(limits::denorm_min()));
+static_assert(graze::detail::to_binary(-0.0).significand == 0);
+static_assert(graze::detail::to_binary(limits::denorm_min()).exponent == -1074);
+static_assert(graze::detail::to_binary(-1.5).significand == -3 && graze::detail::to_binary(-1.5).exponent == -1);
+static_assert(graze::detail::to_binary(std::numeric_limits<std::int64_t>::min()).significand == -1);
+static_assert(graze::detail::to_binary(std::numeric_limits<std::int64_t>::min()).exponent == 63);
+static_assert(!graze::detail::is_finite_input(limits::infinity()) && !graze::detail::is_finite_input(-limits::quiet_NaN()));
+static_assert(!graze::detail::is_finite_input(std::numeric_limits<float>::signaling_NaN()));
+static_assert(graze::detail::is_finite_input(limits::max()) && graze::detail::is_finite_input(limits::denorm_min()));
 
 } // namespace
 
@@ -131,11 +131,11 @@ TEST_CASE("A number is significand 2^exponent") {
 TEST_CASE("Every power of two is taken apart") {
     int wrong = 0;
     for (int e = -1074; e < 1024; ++e) {
-        const graze::binary b = graze::to_binary(std::ldexp(-1.0, e));
+        const graze::detail::binary b = graze::detail::to_binary(std::ldexp(-1.0, e));
         wrong += b.significand == -1 && b.exponent == e ? 0 : 1;
     }
     for (int e = -149; e < 128; ++e) {
-        const graze::binary b = graze::to_binary(std::ldexp(1.0F, e));
+        const graze::detail::binary b = graze::detail::to_binary(std::ldexp(1.0F, e));
         wrong += b.significand == 1 && b.exponent == e ? 0 : 1;
     }
     CHECK(wrong == 0);
@@ -151,13 +151,13 @@ TEST_CASE("Lifted numbers are integers of the width that is said") {
 
 TEST_CASE("Zeros take no part in the scale, nor do bits that are zero in all") {
     const std::array<double, 3> values{0, 3 * 0x1p300, 0x1p301};
-    graze::lifted<3> group;
-    graze::lift(group, values.data());
+    graze::detail::lifted<3> group;
+    graze::detail::lift(group, values.data());
     CHECK(group.exponent == 300);
     CHECK(group.width <= 4);
     const std::array<double, 2> zeros{0, -0.0};
-    graze::lifted<2> none;
-    graze::lift(none, zeros.data());
+    graze::detail::lifted<2> none;
+    graze::detail::lift(none, zeros.data());
     CHECK(none.width == 0);
     CHECK(none.get<graze::integer<61>>(1).sign() == 0);
 }

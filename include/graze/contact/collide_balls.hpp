@@ -63,12 +63,6 @@ constexpr void check_masses(const T& a, const T& b) {
     }
 }
 
-// x, a zero as +0.
-template <int N, class T>
-[[nodiscard]] constexpr vec<N, T> with_plain_zeros(const vec<N, T>& x) noexcept {
-    return make_vec<N>([&](int i) { return to_binary(x[i]).significand == 0 ? T(0) : x[i]; });
-}
-
 // Rounds the wanted components of the contact of two balls that meet, by integers.
 template <int N, class T>
 [[gnu::noinline]] constexpr void complete(contact<N, T>& c, parts wanted, encounter what, const ball<N, T>& a,

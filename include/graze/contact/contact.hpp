@@ -3,6 +3,7 @@
 
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/linear/vec.hpp>
+#include <graze/number/binary.hpp>
 
 namespace graze {
 
@@ -34,4 +35,13 @@ struct wall_contact {
     [[nodiscard]] friend constexpr bool operator==(const wall_contact&, const wall_contact&) = default;
 };
 
+namespace detail {
+
+// x, a zero as +0.
+template <int N, class T>
+[[nodiscard]] constexpr vec<N, T> with_plain_zeros(const vec<N, T>& x) noexcept {
+    return make_vec<N>([&](int i) { return to_binary(x[i]).significand == 0 ? T(0) : x[i]; });
+}
+
+} // namespace detail
 } // namespace graze

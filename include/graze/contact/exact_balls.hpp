@@ -22,51 +22,62 @@ struct scales {
     [[nodiscard]] constexpr int time() const noexcept { return length - velocity; }
 };
 
-// An approach of two centres whose distance at contact is m.R: τ and all that follows. Also a ball and a corner.
-template <class T, int N, class M>
-class exact_approach {
-  public:
-    constexpr exact_approach(const M& m, scales s) : m_(m), scales_(s) {}
+// A path until the smaller root τ of a t² + 2 h t + c.
+template <class T, class A, class H, class D>
+struct exact_path {
+    A a;
+    H h;
+    radicand<D> discriminant;
+    scales units;
 
-    [[nodiscard]] constexpr T time() const { return round_root<T>(a_, h_, discriminant_, scales_.time()); }
+    [[nodiscard]] constexpr T time() const { return round_root<T>(a, h, discriminant, units.time()); }
 
     // Of a centre that is at x now and moves with u.
     template <class I>
     [[nodiscard]] constexpr T position(const I& x, const I& u) const {
-        return round_to<T>(a_ * x - h_ * u, -u, discriminant_, a_, scales_.length);
+        return round_to<T>(a * x - h * u, -u, discriminant, a, units.length);
     }
+};
+template <class T, class A, class H, class D>
+[[nodiscard]] constexpr auto path_until(const A& a, const H& h, const D& discriminant, scales units) {
+    return exact_path<T, A, H, D>{a, h, radicand<D>(discriminant), units};
+}
+
+// Two centres that approach until their distance is m.R.
+template <class T, class M>
+class exact_approach {
+    using path_type = decltype(path_until<T>(coefficient_a{}(std::declval<M>()), coefficient_h{}(std::declval<M>()),
+                                             discriminant_lagrange{}(std::declval<M>()), scales{}));
+
+  public:
+    constexpr exact_approach(const M& m, scales units)
+        : path(path_until<T>(coefficient_a{}(m), coefficient_h{}(m), discriminant_lagrange{}(m), units)), m_(m) {}
+
+    path_type path;
 
     [[nodiscard]] constexpr T normal(int i) const {
-        return round_to<T>(across_[i], -m_.du[i], discriminant_, a_ * m_.R, 0);
+        return round_to<T>(across_[i], -m_.du[i], path.discriminant, path.a * m_.R, 0);
     }
 
     // Of the ball whose velocity was u. share: twice the other's mass, for ball b its negative; sum: of the masses.
     template <class I, class S, class W>
     [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
-        const auto r = sum * (a_ * (m_.R * m_.R));
-        return round_to<T>(r * u - share * (discriminant_.value * m_.du[i]), share * across_[i], discriminant_, r,
-                           scales_.velocity);
+        const auto r = sum * (path.a * (m_.R * m_.R));
+        return round_to<T>(r * u - share * (path.discriminant.value * m_.du[i]), share * across_[i], path.discriminant,
+                           r, path.units.velocity);
     }
 
   private:
-    using A = decltype(coefficient_a{}(std::declval<M>()));
-    using H = decltype(coefficient_h{}(std::declval<M>()));
-    using D = decltype(discriminant_lagrange{}(std::declval<M>()));
-
     const M& m_;
-    scales scales_;
-    A a_ = coefficient_a{}(m_);
-    H h_ = coefficient_h{}(m_);
-    radicand<D> discriminant_{discriminant_lagrange{}(m_)};
-    decltype(position_at(std::declval<A>() * std::declval<M>().dx, std::declval<M>().du, -std::declval<H>())) across_ =
-        position_at(a_ * m_.dx, m_.du, -h_);
+    decltype(position_at(std::declval<path_type>().a * std::declval<M>().dx, std::declval<M>().du,
+                         -std::declval<path_type>().h)) across_ = position_at(path.a * m_.dx, m_.du, -path.h);
 };
 
 // Two centres inside each other and getting deeper: along the line between them, now.
-template <class T, int N, class M>
+template <class T, class M>
 class exact_overlap {
   public:
-    constexpr exact_overlap(const M& m, scales s) : m_(m), scales_(s) {}
+    constexpr exact_overlap(const M& m, scales units) : m_(m), units_(units) {}
 
     [[nodiscard]] constexpr T normal(int i) const {
         return round_to<T>(integer<1>(0), m_.dx[i], square_, square_.value, 0);
@@ -75,12 +86,12 @@ class exact_overlap {
     template <class I, class S, class W>
     [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
         const auto r = sum * square_.value;
-        return round_to<T>(r * u - share * (h_ * m_.dx[i]), r, scales_.velocity);
+        return round_to<T>(r * u - share * (h_ * m_.dx[i]), r, units_.velocity);
     }
 
   private:
     const M& m_;
-    scales scales_;
+    scales units_;
     decltype(coefficient_h{}(std::declval<M>())) h_ = coefficient_h{}(m_);
     radicand<decltype(graze::squared_norm(std::declval<M>().dx))> square_{graze::squared_norm(m_.dx)};
 };
@@ -94,7 +105,8 @@ struct exact_balls {
 };
 
 template <int N, class T, class I, class M>
-constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, I, M>& e, scales s) {
+constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, I, M>& e,
+                           scales units) {
     const auto twice_a = graze::twice(e.mass_a);
     const auto twice_b = graze::twice(e.mass_b);
     const auto sum = e.mass_a + e.mass_b;
@@ -109,19 +121,19 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
         }
     };
     if (what == encounter::overlap) {
-        const exact_overlap<T, N, M> exact(e.relative, s);
+        const exact_overlap<T, M> exact(e.relative, units);
         fill(c.normal, wanted, part::normal, [&](int i) { return exact.normal(i); });
         velocities(exact);
         return;
     }
-    const exact_approach<T, N, M> exact(e.relative, s);
+    const exact_approach<T, M> exact(e.relative, units);
     if (has_time(wanted)) {
-        c.time = exact.time();
+        c.time = exact.path.time();
     }
     fill(c.position_a, wanted, part::position_a,
-         [&](int i) { return exact.position(e.position_a[i], e.velocity_a[i]); });
+         [&](int i) { return exact.path.position(e.position_a[i], e.velocity_a[i]); });
     fill(c.position_b, wanted, part::position_b,
-         [&](int i) { return exact.position(e.position_b[i], e.velocity_b[i]); });
+         [&](int i) { return exact.path.position(e.position_b[i], e.velocity_b[i]); });
     if (graze::sign(e.relative.R) != 0) { // otherwise two points, which graze
         fill(c.normal, wanted, part::normal, [&](int i) { return exact.normal(i); });
     }

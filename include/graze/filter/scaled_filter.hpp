@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-namespace graze {
+namespace graze::detail {
 
 // Upper bounds of the norms of a motion's lengths, velocities and normals; sums of magnitudes, so that no root is
 // taken.
@@ -34,9 +34,9 @@ template <int N>
 template <class T>
 [[nodiscard]] constexpr bool usable(const magnitudes& s) noexcept {
     constexpr int low = std::is_same_v<T, float> ? -30 : -50;
-    return static_cast<unsigned>(detail::within_powers<low, 50>(s.length)) &
-           static_cast<unsigned>(detail::within_powers<low, 50>(s.velocity)) &
-           static_cast<unsigned>(detail::within_powers<low, 50>(s.normal));
+    return static_cast<unsigned>(within_powers<low, 50>(s.length)) &
+           static_cast<unsigned>(within_powers<low, 50>(s.velocity)) &
+           static_cast<unsigned>(within_powers<low, 50>(s.normal));
 }
 
 // The sign of F on a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.
@@ -50,4 +50,4 @@ template <class Bounds, class F, class M>
                         k * (power_of<d[0]>(s.length) * power_of<d[1]>(s.velocity) * power_of<d[2]>(s.normal)));
 }
 
-} // namespace graze
+} // namespace graze::detail

@@ -22,6 +22,8 @@ template <class F, class B>
     return f(bounds).degree;
 }
 
+namespace detail {
+
 // What a filter says of a value: its sign where that is certain, and `open` where it is not. NaN is open.
 inline constexpr int open = 2;
 
@@ -41,8 +43,6 @@ template <int Power>
         return Power % 2 == 0 ? half * half : half * half * scale;
     }
 }
-
-namespace detail {
 
 // Whether x is a positive number in [2^Low, 2^High), by its bits: one comparison, true of no zero, negative number or
 // NaN, in any floating-point environment.

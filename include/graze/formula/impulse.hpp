@@ -15,7 +15,7 @@ template <class W>
 // α of (29), X̂·Δu an inner product. Negative for balls that approach (errata: not positive), zero for a graze.
 template <int N, class M, class X, class U>
 [[nodiscard]] constexpr auto impulse(const M& reduced, const vec<N, X>& normal, const vec<N, U>& du) {
-    return graze::twice(reduced) * dot(normal, du);
+    return graze::twice(reduced) * graze::dot(normal, du);
 }
 
 // v_a of (23); v_b is the same with -α.
@@ -29,14 +29,14 @@ template <int N, class U, class A, class W, class X>
 // v = u - 2 (u·n̂) n̂, which the source leaves out, for a unit normal.
 template <int N, class U, class X>
 [[nodiscard]] constexpr auto reflected(const vec<N, U>& u, const vec<N, X>& normal) {
-    const auto change = graze::twice(dot(u, normal));
+    const auto change = graze::twice(graze::dot(u, normal));
     return make_vec<N>([&](int i) { return u[i] - change * normal[i]; });
 }
 
 // The same for a normal n of any length: u - (2 (u·n)/(n·n)) n, in which no root is taken.
 template <int N, class U, class X>
 [[nodiscard]] constexpr auto reflected_unnormalised(const vec<N, U>& u, const vec<N, X>& normal) {
-    const auto change = graze::twice(dot(u, normal)) / squared_norm(normal);
+    const auto change = graze::twice(graze::dot(u, normal)) / graze::squared_norm(normal);
     return make_vec<N>([&](int i) { return u[i] - change * normal[i]; });
 }
 

@@ -26,7 +26,7 @@ template <int N, class T>
 struct plane_height {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.w, m.n);
+        return graze::dot(m.w, m.n);
     }
 };
 
@@ -34,7 +34,7 @@ struct plane_height {
 struct plane_speed {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.u, m.n);
+        return graze::dot(m.u, m.n);
     }
 };
 
@@ -43,7 +43,7 @@ struct plane_clearance {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
         const auto height = plane_height{}(m);
-        return height * height - m.r * m.r * squared_norm(m.n);
+        return height * height - m.r * m.r * graze::squared_norm(m.n);
     }
 };
 

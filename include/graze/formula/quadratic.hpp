@@ -19,19 +19,19 @@ quadratic(A, H, C) -> quadratic<A, H, C>;
 struct coefficient_a {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(m.du);
+        return graze::squared_norm(m.du);
     }
 };
 struct coefficient_h {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.dx, m.du);
+        return graze::dot(m.dx, m.du);
     }
 };
 struct coefficient_c {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(m.dx) - m.R * m.R;
+        return graze::squared_norm(m.dx) - m.R * m.R;
     }
 };
 

@@ -11,9 +11,10 @@ namespace graze {
 //
 // With J = a₁h₂ - a₂h₁, G = a₁c₂ - a₂c₁ and K = h₁c₂ - h₂c₁ the resultant of the two is proportional to Res = G² - 4JK.
 // J = 0: the parabolas, scaled to one leading coefficient, have a common axis and the lower one has the earlier root.
-// Res < 0: the roots interlace and the order is that of the axes, sign J. Otherwise, taking J < 0 (the first axis is
-// the later one), the sign of A = a₁G - 2 J h₁, the second parabola's value where the first has its axis, tells whether
-// both roots of one are on the same side of both of the other.
+// Res < 0: the roots interlace and the order is that of the axes, -h₁/a₁ against -h₂/a₂, whose sign is that of J.
+// Otherwise, taking J < 0 (the first axis is the earlier one), A = a₁G - 2 J h₁, which is a₁² times the second
+// quadratic less a₁ a₂ times the first, both taken where the first has its axis, tells whether the first one's smaller
+// root comes first (A > 0) or lies beyond the second's (A < 0).
 struct root_order {
     template <class A, class H, class C, class B, class I, class E>
     [[nodiscard]] constexpr int operator()(const quadratic<A, H, C>& x, const quadratic<B, I, E>& y) const {

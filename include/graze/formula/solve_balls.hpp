@@ -27,7 +27,7 @@ requires field_number<T> && has_variant<V, T>
     s.position_b = position_at(detail::as<real>(b.position), detail::as<real>(b.velocity), s.time);
     const bool touches = graze::sign(m.R) != 0;
     if (s.what == encounter::overlap) {
-        s.normal = contact_normal(detail::as<real>(m.dx), graze::root(T(squared_norm(m.dx))));
+        s.normal = contact_normal(detail::as<real>(m.dx), graze::root(T(graze::squared_norm(m.dx))));
     } else if (touches) {
         const vec<N, real> dx = position_at(detail::as<real>(m.dx), detail::as<real>(m.du), s.time);
         s.normal = contact_normal(dx, real(m.R)); // (20)

@@ -20,7 +20,7 @@ requires field_number<T>
     if (!is_collision(s.what)) {
         return s;
     }
-    const real length = graze::root(T(squared_norm(m.n)));
+    const real length = graze::root(T(graze::squared_norm(m.n)));
     if (s.what == encounter::hit) {
         s.time = plane_touch_time{}(real(height), real(speed), real(m.r) * length); // (33) completed
     }

@@ -92,15 +92,15 @@ requires field_number<T> && has_variant<V, T>
             met(edge_quadratic(view), signs.discriminant_of_edge(view));
             const vec<N, real> e = detail::as<real>(view.e[1]);
             const vec<N, real> from = position_at(detail::as<real>(view.w), u, s.time);
-            s.point = position_at(s.position - from, e, dot(from, e) / squared_norm(e));
+            s.point = position_at(s.position - from, e, graze::dot(from, e) / graze::squared_norm(e));
         }
     }
     const vec<N, real> apart = s.position - s.point;
     if (inside) {
         if constexpr (has_sqrt<T>) {
-            s.normal = contact_normal(apart, graze::root(T(squared_norm(apart))));
+            s.normal = contact_normal(apart, graze::root(T(graze::squared_norm(apart))));
         } else {
-            s.normal = contact_normal(apart, graze::root(T(squared_norm(apart).p()))); // τ = 0: rational
+            s.normal = contact_normal(apart, graze::root(T(graze::squared_norm(apart).p()))); // τ = 0: rational
         }
     } else {
         s.normal = graze::sign(b.radius) != 0 ? contact_normal(apart, real(b.radius)) : detail::zero_vector<N, real>();

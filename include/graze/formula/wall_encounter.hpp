@@ -105,7 +105,8 @@ class wall_decision {
             }
             if (low0 || high0 || low1 || high1) {
                 for (int i = 0; i < corners; ++i) { // in whose normal cone: behind it along both edges
-                    if (signs_({i, false}, along<0>{}) <= 0 && signs_({i, false}, along<1>{}) <= 0) {
+                    if (signs_({i, false}, coordinate_along<0>{}) <= 0 &&
+                        signs_({i, false}, coordinate_along<1>{}) <= 0) {
                         return {feature::corner, i};
                     }
                 }
@@ -162,13 +163,13 @@ class wall_decision {
     // The sign of X + V t when the ball touches the edge's line, or the corner.
     template <class X, class V>
     [[nodiscard]] constexpr int at_edge(wall_view view) const {
-        return signs_.root(view, at_root<edge_a, edge_h, X, V>{}, V{}, graze::edge_discriminant{}, -1);
+        return signs_.root(view, value_at_root<edge_a, edge_h, X, V>{}, V{}, graze::edge_discriminant{}, -1);
     }
     template <class X, class V>
     [[nodiscard]] constexpr int at_corner(wall_view view) const {
         using a = corner_formula<coefficient_a>;
         using h = corner_formula<coefficient_h>;
-        return signs_.root(view, at_root<a, h, X, V>{}, V{}, corner_formula<discriminant_lagrange>{}, -1);
+        return signs_.root(view, value_at_root<a, h, X, V>{}, V{}, corner_formula<discriminant_lagrange>{}, -1);
     }
 
     // Where D = 0 the ball may slide along the face, or along an edge, at exactly the distance r, and touch the wall
@@ -190,11 +191,11 @@ class wall_decision {
             return encounter::miss;
         }
         const int d = signs_.corner_discriminant(view);
-        if (d < 0 || at_corner<along<0>, along_speed<0>>(view) > 0) {
+        if (d < 0 || at_corner<coordinate_along<0>, speed_along<0>>(view) > 0) {
             return encounter::miss;
         }
         if constexpr (N == 3) {
-            if (at_corner<along<1>, along_speed<1>>(view) > 0) {
+            if (at_corner<coordinate_along<1>, speed_along<1>>(view) > 0) {
                 return encounter::miss;
             }
         }

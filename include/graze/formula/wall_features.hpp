@@ -30,9 +30,9 @@ template <int N, class X, class U, class E, class S>
         const vec<2, E> n{{E(-e[0][1]), E(e[0][0])}};
         return wall_motion<2, X, U, E, S, E, E>{w, u, e, r, n, {e[0]}};
     } else {
-        const auto n = cross(e[0], e[1]);
-        const auto side0 = cross(e[1], n);
-        const auto side1 = cross(n, e[0]);
+        const auto n = graze::cross(e[0], e[1]);
+        const auto side0 = graze::cross(e[1], n);
+        const auto side1 = graze::cross(n, e[0]);
         using NN = std::remove_cvref_t<decltype(n[0])>;
         using M = std::remove_cvref_t<decltype(side0[0])>;
         return wall_motion<3, X, U, E, S, NN, M>{w, u, e, r, n, {side0, side1}};
@@ -85,9 +85,9 @@ struct side_height {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
         if constexpr (Far == 0) {
-            return dot(m.w, m.side[I]);
+            return graze::dot(m.w, m.side[I]);
         } else {
-            return dot(m.w, m.side[I]) - squared_norm(m.n);
+            return graze::dot(m.w, m.side[I]) - graze::squared_norm(m.n);
         }
     }
 };
@@ -97,7 +97,7 @@ template <int I>
 struct side_speed {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.u, m.side[I]);
+        return graze::dot(m.u, m.side[I]);
     }
 };
 
@@ -120,7 +120,7 @@ struct face_foot_q {
 struct face_foot_d {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(m.n);
+        return graze::squared_norm(m.n);
     }
 };
 
@@ -129,33 +129,33 @@ struct face_foot_d {
 struct edge_a {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(cross(m.u, m.e[1]));
+        return graze::squared_norm(cross(m.u, m.e[1]));
     }
 };
 struct edge_h {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(cross(m.w, m.e[1]), cross(m.u, m.e[1]));
+        return graze::dot(cross(m.w, m.e[1]), graze::cross(m.u, m.e[1]));
     }
 };
 struct edge_c {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(cross(m.w, m.e[1])) - m.r * m.r * squared_norm(m.e[1]);
+        return graze::squared_norm(cross(m.w, m.e[1])) - m.r * m.r * graze::squared_norm(m.e[1]);
     }
 };
 // D/(e·e) by Lagrange's identity: (w × e) × (u × e) is parallel to e, so that D = e·e (r² a - (e·(w × u))²).
 struct edge_reduced_discriminant {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        const auto triple = dot(m.e[1], cross(m.w, m.u));
+        const auto triple = graze::dot(m.e[1], graze::cross(m.w, m.u));
         return m.r * m.r * edge_a{}(m)-triple * triple;
     }
 };
 struct edge_discriminant {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return squared_norm(m.e[1]) * edge_reduced_discriminant{}(m);
+        return graze::squared_norm(m.e[1]) * edge_reduced_discriminant{}(m);
     }
 };
 
@@ -170,16 +170,16 @@ struct edge_foot {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
         if constexpr (End == 0) {
-            return dot(m.w, m.e[1]);
+            return graze::dot(m.w, m.e[1]);
         } else {
-            return dot(m.w, m.e[1]) - squared_norm(m.e[1]);
+            return graze::dot(m.w, m.e[1]) - graze::squared_norm(m.e[1]);
         }
     }
 };
 struct edge_foot_speed {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.u, m.e[1]);
+        return graze::dot(m.u, m.e[1]);
     }
 };
 
@@ -199,23 +199,23 @@ struct corner_formula {
 
 // How far along edge i from the corner, and how fast that grows.
 template <int I>
-struct along {
+struct coordinate_along {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.w, m.e[I]);
+        return graze::dot(m.w, m.e[I]);
     }
 };
 template <int I>
-struct along_speed {
+struct speed_along {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return dot(m.u, m.e[I]);
+        return graze::dot(m.u, m.e[I]);
     }
 };
 
 // A quantity x + v t at the smaller root of a t² + 2 h t + c: (p - v√D)/a with this p.
 template <class A, class H, class X, class V>
-struct at_root {
+struct value_at_root {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
         return A{}(m)*X{}(m)-H{}(m)*V{}(m);

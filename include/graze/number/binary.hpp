@@ -3,31 +3,28 @@
 
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 namespace graze {
 
+// The types of whose values the predicates take decisions: float, double, and signed integers of 32 and of 64 bits
+// under whichever name.
+template <class T>
+inline constexpr bool is_binary_input = std::same_as<T, float> || std::same_as<T, double> ||
+                                        (std::signed_integral<T> && (sizeof(T) == 4 || sizeof(T) == 8));
+
+} // namespace graze
+
+namespace graze::detail {
+
 // significand · 2^exponent. The significand is odd or 0 (then the exponent means nothing).
 struct binary {
     std::int64_t significand = 0;
     int exponent = 0;
 };
-
-// The types of whose values the predicates take decisions.
-template <class T>
-inline constexpr bool is_binary_input = false;
-template <>
-inline constexpr bool is_binary_input<float> = true;
-template <>
-inline constexpr bool is_binary_input<double> = true;
-template <>
-inline constexpr bool is_binary_input<std::int32_t> = true;
-template <>
-inline constexpr bool is_binary_input<std::int64_t> = true;
-
-namespace detail {
 
 // The bits of x, read through the reference, so that no arithmetic register quietens or flushes the value.
 [[nodiscard]] constexpr std::uint64_t bits_of(const double& x) noexcept { return std::bit_cast<std::uint64_t>(x); }
@@ -41,19 +38,29 @@ namespace detail {
     return {significand >> zeros, exponent + zeros};
 }
 
-} // namespace detail
-
 // Whether x is neither infinite nor NaN, by its exponent bits.
 [[nodiscard]] constexpr bool is_finite_input(const double& x) noexcept {
-    return (detail::bits_of(x) & 0x7ff0000000000000U) != 0x7ff0000000000000U;
+    return (bits_of(x) & 0x7ff0000000000000U) != 0x7ff0000000000000U;
 }
 [[nodiscard]] constexpr bool is_finite_input(const float& x) noexcept {
-    return (detail::bits_of(x) & 0x7f800000U) != 0x7f800000U;
+    return (bits_of(x) & 0x7f800000U) != 0x7f800000U;
 }
-[[nodiscard]] constexpr bool is_finite_input(const std::int32_t&) noexcept { return true; }
-[[nodiscard]] constexpr bool is_finite_input(const std::int64_t&) noexcept { return true; }
+template <std::signed_integral T>
+[[nodiscard]] constexpr bool is_finite_input(const T&) noexcept {
+    return true;
+}
 
-namespace detail {
+// Whether T is an integer that a double may not hold.
+template <class T>
+inline constexpr bool is_wide_integer = std::signed_integral<T> && sizeof(T) == 8;
+
+// Whether x is so small that a mode may read it as 0.
+[[nodiscard]] constexpr bool is_subnormal(const double& x) noexcept {
+    return (bits_of(x) & 0x7ff0000000000000U) == 0 && bits_of(x) << 1 != 0;
+}
+[[nodiscard]] constexpr bool is_subnormal(const float& x) noexcept {
+    return (bits_of(x) & 0x7f800000U) == 0 && bits_of(x) << 1 != 0;
+}
 
 // x as significand · 2^exponent with the significand as it is stored.
 [[nodiscard]] constexpr binary split(const double& x) noexcept {
@@ -70,22 +77,22 @@ namespace detail {
     const auto magnitude = static_cast<std::int64_t>((bits & 0x7fffffU) | hidden);
     return {bits >> 31 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 150};
 }
-[[nodiscard]] constexpr binary split(const std::int32_t& x) noexcept { return {x, 0}; }
-[[nodiscard]] constexpr binary split(const std::int64_t& x) noexcept { return {x, 0}; }
+template <std::signed_integral T>
+[[nodiscard]] constexpr binary split(const T& x) noexcept {
+    return {x, 0};
+}
 
 // |significand| < 2^stored_bits as split gives it.
 template <class T>
 inline constexpr int stored_bits = std::numeric_limits<T>::is_integer ? 8 * static_cast<int>(sizeof(T))
-                                                                           : std::numeric_limits<T>::digits;
-
-} // namespace detail
+                                                                      : std::numeric_limits<T>::digits;
 
 // x taken apart; x is finite. Exact for subnormals, whatever the flushing mode.
 template <class T>
 requires is_binary_input<T>
 [[nodiscard]] constexpr binary to_binary(const T& x) noexcept {
-    const binary b = detail::split(x);
-    return detail::odd(b.significand, b.exponent);
+    const binary b = split(x);
+    return odd(b.significand, b.exponent);
 }
 
 // K numbers as integers on one scale: value_i = significand_i · 2^(shift_i + exponent), 0 <= shift_i, |value_i| <
@@ -112,7 +119,7 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
     int high = std::numeric_limits<int>::min();
     std::uint64_t any = 0;
     for (std::size_t i = 0; i < K; ++i) {
-        const binary b = detail::split(values[i]);
+        const binary b = split(values[i]);
         r.significand[i] = b.significand;
         r.shift[i] = b.exponent;
         any |= static_cast<std::uint64_t>(b.significand);
@@ -125,7 +132,7 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
     }
     const int zeros = std::countr_zero(any);
     r.exponent = low + zeros;
-    r.width = high - low + detail::stored_bits<T> - zeros;
+    r.width = high - low + stored_bits<T> - zeros;
     for (std::size_t i = 0; i < K; ++i) {
         r.shift[i] = r.significand[i] != 0 ? r.shift[i] - low : 0;
         r.significand[i] >>= zeros;
@@ -149,4 +156,4 @@ constexpr void align(lifted<K>& x, lifted<L>& y) noexcept {
     x.width = y.width = x.width > y.width ? x.width : y.width;
 }
 
-} // namespace graze
+} // namespace graze::detail

@@ -4,7 +4,7 @@
 
 #include <graze/number/approximate.hpp>
 
-namespace graze {
+namespace graze::detail {
 
 // |exact - value · 2^exponent| <= error · 2^exponent, in any rounding mode; value below 2^200. A number type with the
 // products and differences that a discriminant needs.
@@ -18,8 +18,6 @@ struct estimate {
     constexpr estimate(double v, double e, int power) : value(v), error(e), exponent(power) {}
 };
 
-namespace detail {
-
 [[nodiscard]] constexpr double magnitude(double x) noexcept { return x < 0 ? -x : x; }
 
 // x at a larger exponent; what is shifted out of sight becomes error.
@@ -32,40 +30,42 @@ namespace detail {
     return {x.value * scale, x.error * scale, exponent};
 }
 
-} // namespace detail
-
 template <class I>
 [[nodiscard]] constexpr estimate estimate_of(const I& x) noexcept {
     const scaled_double s = approximate(x);
-    return {s.significand, detail::magnitude(s.significand) * 0x1p-49, s.exponent};
+    return {s.significand, magnitude(s.significand) * 0x1p-49, s.exponent};
 }
 
 [[nodiscard]] constexpr estimate operator-(const estimate& x) noexcept { return {-x.value, x.error, x.exponent}; }
 
 [[nodiscard]] constexpr estimate operator*(const estimate& x, const estimate& y) noexcept {
     const double value = x.value * y.value;
-    const double error = detail::magnitude(x.value) * y.error + detail::magnitude(y.value) * x.error +
-                         x.error * y.error + detail::magnitude(value) * 0x1p-51;
+    const double error =
+        magnitude(x.value) * y.error + magnitude(y.value) * x.error + x.error * y.error + magnitude(value) * 0x1p-51;
     return {value, error * (1 + 0x1p-48), x.exponent + y.exponent};
 }
 
 [[nodiscard]] constexpr estimate operator+(const estimate& x, const estimate& y) noexcept {
     const int exponent = x.exponent > y.exponent ? x.exponent : y.exponent;
-    const estimate a = detail::at_exponent(x, exponent);
-    const estimate b = detail::at_exponent(y, exponent);
-    const double error = a.error + b.error + (detail::magnitude(a.value) + detail::magnitude(b.value)) * 0x1p-51;
+    const estimate a = at_exponent(x, exponent);
+    const estimate b = at_exponent(y, exponent);
+    const double error = a.error + b.error + (magnitude(a.value) + magnitude(b.value)) * 0x1p-51;
     return {a.value + b.value, error * (1 + 0x1p-48), exponent};
 }
 [[nodiscard]] constexpr estimate operator-(const estimate& x, const estimate& y) noexcept { return x + -y; }
 
+// Whether the sign of the estimate is that of the exact value.
+[[nodiscard]] constexpr bool is_certain(const estimate& x) noexcept { return magnitude(x.value) > x.error; }
+
+} // namespace graze::detail
+
+namespace graze {
+
 template <>
-struct number_traits<estimate> {
+struct number_traits<detail::estimate> {
     static constexpr const char* name = "estimate";
     static constexpr bool is_exact = false;
     static constexpr int digits = 49;
 };
-
-// Whether the sign of the estimate is that of the exact value.
-[[nodiscard]] constexpr bool is_certain(const estimate& x) noexcept { return detail::magnitude(x.value) > x.error; }
 
 } // namespace graze

@@ -1,8 +1,11 @@
-// A value that the compiler may not simplify across, whatever it was allowed by -ffast-math.
+// Values that the compiler may not simplify across, whatever it was allowed by -ffast-math or contraction.
 #pragma once
+
+#include <type_traits>
 
 namespace graze::detail {
 
+// x; what consumes it is not merged with the expression that made it.
 [[nodiscard]] inline double fence(double x) noexcept {
 #if defined(__clang__) && (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__))
     return __arithmetic_fence(x); // an error on clang's other targets, although __has_builtin knows it there
@@ -14,6 +17,28 @@ namespace graze::detail {
 #else
     return x;
 #endif
+}
+
+// x as memory holds it. A caller's `p + d` may still be an expression where a predicate is inlined: under -ffast-math,
+// contraction or x87 a filter would otherwise see another number than the exact tier, which reads the stored bits.
+template <class T>
+[[nodiscard]] constexpr T as_stored(T x) noexcept {
+    if constexpr (std::is_floating_point_v<T>) {
+        if (!std::is_constant_evaluated()) {
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
+            __asm__("" : "+m"(x));
+#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+            return __builtin_assoc_barrier(x); // also keeps a product from being fused with a sum
+#elif defined(__clang__) && defined(__x86_64__)
+            __asm__("" : "+x"(x)); // clang's fence lets products fuse under -ffp-contract=fast
+#elif defined(__clang__) && defined(__aarch64__)
+            __asm__("" : "+w"(x));
+#elif defined(__GNUC__)
+            __asm__("" : "+m"(x));
+#endif
+        }
+    }
+    return x;
 }
 
 } // namespace graze::detail

@@ -43,11 +43,18 @@ class integer {
 
     constexpr integer() noexcept = default;
 
-    // Exact; refuses to compile where a value of the argument's type may not fit.
+    // From a type of which every value fits.
     template <std::signed_integral I>
-    requires(sizeof(I) <= 8 &&
-             (Bits >= 8 * static_cast<int>(sizeof(I)) || std::same_as<I, int>)) constexpr integer(I value) noexcept {
+    requires(sizeof(I) <= 8 && Bits >= 8 * static_cast<int>(sizeof(I))) constexpr integer(I value) noexcept {
         fill(static_cast<std::int64_t>(value));
+    }
+    // From a constant that fits; one that does not refuses to compile.
+    template <std::same_as<int> I>
+    requires(Bits < 8 * static_cast<int>(sizeof(int))) consteval integer(I value) {
+        if (value >> Bits != (value < 0 ? -1 : 0) || -value >> Bits != (value > 0 ? -1 : 0)) {
+            throw "graze::integer: the constant does not fit";
+        }
+        fill(value);
     }
 
     // From a narrower one.

@@ -72,7 +72,7 @@ template <int N, class T>
     const auto q = quadratic_of(m);
     r.h = q.h;
     r.c = q.c;
-    r.length2 = squared_norm(m.dx) + m.R * m.R;
+    r.length2 = graze::squared_norm(m.dx) + m.R * m.R;
     r.scale = q.a * r.length2;
     const double bound = constant::discriminant * r.scale;
     const bool certain_h = r.h * r.h > bound;
@@ -118,11 +118,9 @@ struct exact_encounter {
 };
 
 // 32-bit integers as numbers whose widths the type tracks.
-template <int N>
-[[nodiscard]] constexpr ball<N, integer<32>> as_integers(const ball<N, std::int32_t>& b) noexcept {
-    const auto vector = [](const vec<N, std::int32_t>& x) {
-        return make_vec<N>([&](int i) { return integer<32>(x[i]); });
-    };
+template <int N, class T>
+[[nodiscard]] constexpr ball<N, integer<32>> as_integers(const ball<N, T>& b) noexcept {
+    const auto vector = [](const vec<N, T>& x) { return make_vec<N>([&](int i) { return integer<32>(x[i]); }); };
     return {vector(b.position), vector(b.velocity), integer<32>(b.radius)};
 }
 
@@ -135,7 +133,7 @@ template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const ball<N, T>& a, const ball<N, T>& b,
                                                                       Observer&& observer = {}) {
-    if constexpr (std::is_same_v<T, std::int32_t>) { // 140 bits are always enough: one path, no branch before the signs
+    if constexpr (std::signed_integral<T> && sizeof(T) == 4) { // one path, no filter: the types hold every value
         if (!detail::plain_radii(a.radius, b.radius)) {
             detail::check(a, "ball a");
             detail::check(b, "ball b");

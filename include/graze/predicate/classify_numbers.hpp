@@ -19,6 +19,32 @@ constexpr void require_radius(const ball<N, T>& b, const char* argument) {
     }
 }
 
+// wall_decision's questions answered in an exact type, whose sums and products may be other types than T.
+template <class M>
+class exact_signs {
+  public:
+    constexpr explicit exact_signs(const M& m) : m_(m) {}
+
+    template <class F>
+    [[nodiscard]] constexpr int operator()(wall_view view, F f) const {
+        return graze::sign(f(seen_from(m_, view)));
+    }
+    template <class P, class Q, class D>
+    [[nodiscard]] constexpr int root(wall_view view, P p, Q q, D d, int flip) const {
+        const auto m = seen_from(m_, view);
+        return flip < 0 ? sign_of_root_sum(p(m), -q(m), d(m)) : sign_of_root_sum(p(m), q(m), d(m));
+    }
+    [[nodiscard]] constexpr int edge_discriminant(wall_view view) const {
+        return (*this)(view, edge_reduced_discriminant{});
+    }
+    [[nodiscard]] constexpr int corner_discriminant(wall_view view) const {
+        return (*this)(view, corner_formula<discriminant_lagrange>{});
+    }
+
+  private:
+    const M& m_;
+};
+
 } // namespace detail
 
 // What becomes of a pair, exactly. Throws std::domain_error for a negative radius, a zero normal, a zero edge or
@@ -36,7 +62,7 @@ template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const plane<N, T>& p) {
     detail::require_radius(b, "ball");
     const auto m = relative_motion_of(b, p);
-    if (graze::sign(squared_norm(m.n)) == 0) {
+    if (graze::sign(graze::squared_norm(m.n)) == 0) {
         throw std::domain_error("plane: normal is zero");
     }
     return encounter_of([&] { return graze::sign(plane_height{}(m)) * graze::sign(plane_speed{}(m)); },
@@ -47,14 +73,14 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const b
     detail::require_radius(b, "ball");
     const auto m = relative_motion_of(b, w);
     for (const auto& e : w.edge) {
-        if (graze::sign(squared_norm(e)) == 0) {
+        if (graze::sign(graze::squared_norm(e)) == 0) {
             throw std::domain_error("wall: edge is zero");
         }
     }
-    if (graze::sign(squared_norm(m.n)) == 0) {
+    if (graze::sign(graze::squared_norm(m.n)) == 0) {
         throw std::domain_error("wall: edges are parallel");
     }
-    detail::direct_signs<variant::lagrange, T, std::remove_cvref_t<decltype(m)>> signs(m);
+    detail::exact_signs<std::remove_cvref_t<decltype(m)>> signs(m);
     return wall_decision<N, decltype(signs)>(signs)().what;
 }
 

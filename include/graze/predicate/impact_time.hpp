@@ -6,10 +6,17 @@
 #include <graze/predicate/stage.hpp>
 
 #include <compare>
+#include <concepts>
+#include <cstdint>
 
 namespace graze {
 
 namespace detail {
+
+// What an impact time compares with: every value of it is a double or a 64-bit integer.
+template <class U>
+concept time_number = std::same_as<U, float> || std::same_as<U, double> ||
+    (std::integral<U> && sizeof(U) <= 8 && (std::signed_integral<U> || sizeof(U) < 8));
 
 // Held by time_of_impact, the only maker of impact times.
 struct impact_time_key {
@@ -19,9 +26,10 @@ struct impact_time_key {
 } // namespace detail
 
 // The first time τ >= 0 at which a pair touches (0 for an overlap), counted from the instant at which positions are
-// given. A regular type: two are equal exactly when their times are, whatever met whatever. Comparisons look at an
-// enclosure in doubles first and at the inputs, which the value keeps, only when the enclosures overlap; they never
-// round, throw or allocate. Made by time_of_impact only. 152 bytes for N = 3 and doubles, 104 for N = 2.
+// given. A regular type but for a default value: two are equal exactly when their times are, whatever met whatever.
+// Comparisons look at an enclosure in doubles first and at the inputs, which the value keeps, only when the enclosures
+// overlap; they never round, throw or allocate. Made by time_of_impact only, whose empty answer std::optional orders
+// before every time. 152 bytes for N = 3 and doubles, 104 for N = 2.
 template <int N, class T = double>
 class impact_time {
   public:
@@ -32,11 +40,15 @@ class impact_time {
         return x.compare(y) == 0;
     }
 
-    // Against a time in T; unordered with NaN.
-    [[nodiscard]] friend constexpr std::partial_ordering operator<=>(const impact_time& x, const T& time) {
+    // Against a time in any of these types, exactly: neither side is rounded. Unordered with NaN.
+    template <detail::time_number U>
+    [[nodiscard]] friend constexpr std::partial_ordering operator<=>(const impact_time& x, const U& time) {
         return x.compare(time);
     }
-    [[nodiscard]] friend constexpr bool operator==(const impact_time& x, const T& time) { return x.compare(time) == 0; }
+    template <detail::time_number U>
+    [[nodiscard]] friend constexpr bool operator==(const impact_time& x, const U& time) {
+        return x.compare(time) == 0;
+    }
 
     // The sign of *this - y: -1, 0 or 1. The observer is told which stage decided.
     template <class Observer = ignore_stage>
@@ -59,14 +71,24 @@ class impact_time {
         : event_(arguments...), bounds_(bounds) {}
 
   private:
-    [[nodiscard]] constexpr std::partial_ordering compare(const T& time) const {
-        if (!is_finite_input(time)) {
+    template <std::integral U>
+    [[nodiscard]] constexpr std::partial_ordering compare(const U& time) const {
+        return compare(static_cast<std::int64_t>(time), static_cast<std::int64_t>(time) >> 53 == 0);
+    }
+    template <std::floating_point U>
+    [[nodiscard]] constexpr std::partial_ordering compare(const U& time) const {
+        if (!detail::is_finite_input(time)) {
             return time < 0   ? std::partial_ordering::greater
                    : time > 0 ? std::partial_ordering::less
                               : std::partial_ordering::unordered;
         }
-        const auto m = static_cast<double>(time);
-        if constexpr (!std::is_same_v<T, std::int64_t>) {
+        return compare(time, !detail::is_subnormal(time)); // which a mode may read as 0
+    }
+    // as_double: whether the conversion of this time to double is certainly exact.
+    template <class U>
+    [[nodiscard]] constexpr std::partial_ordering compare(const U& time, bool as_double) const {
+        if (as_double) {
+            const auto m = static_cast<double>(detail::as_stored(time));
             if (bounds_.upper < m) {
                 return std::partial_ordering::less;
             }
@@ -74,7 +96,7 @@ class impact_time {
                 return std::partial_ordering::greater;
             }
         }
-        return detail::compare_exactly(event_, to_binary(time)) <=> 0;
+        return detail::compare_exactly(event_, detail::to_binary(time)) <=> 0;
     }
 
     detail::event<N, T> event_;

@@ -23,8 +23,10 @@ namespace graze::detail {
 [[nodiscard]] constexpr bool plain_radii(const float& r, const float& s) noexcept {
     return static_cast<std::int32_t>(bits_of(r) | bits_of(s)) >= 0;
 }
-[[nodiscard]] constexpr bool plain_radii(const std::int32_t& r, const std::int32_t& s) noexcept { return (r | s) >= 0; }
-[[nodiscard]] constexpr bool plain_radii(const std::int64_t& r, const std::int64_t& s) noexcept { return (r | s) >= 0; }
+template <std::signed_integral T>
+[[nodiscard]] constexpr bool plain_radii(const T& r, const T& s) noexcept {
+    return (r | s) >= 0;
+}
 
 template <int N, class T>
 [[nodiscard]] constexpr bool is_finite(const vec<N, T>& x) noexcept {

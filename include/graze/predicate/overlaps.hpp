@@ -12,11 +12,11 @@ requires is_binary_input<T>
 [[nodiscard]] constexpr bool overlaps(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
     if (!std::is_constant_evaluated() && detail::plain_radii(a.radius, b.radius)) {
         const auto m = detail::rounded_motion(a, b);
-        const double length2 = squared_norm(m.dx) + m.R * m.R;
-        const int s = certain_sign(coefficient_c{}(m), detail::ball_filter<N, T>::c * length2);
+        const double length2 = graze::squared_norm(m.dx) + m.R * m.R;
+        const int s = detail::certain_sign(coefficient_c{}(m), detail::ball_filter<N, T>::c * length2);
         // Velocities have no part in the answer, but a bad one is still bad.
-        if (s != open && length2 > detail::smallest_square<T> && length2 < 0x1p570 && detail::is_finite(a.velocity) &&
-            detail::is_finite(b.velocity)) {
+        if (s != detail::open && length2 > detail::smallest_square<T> && length2 < 0x1p570 &&
+            detail::is_finite(a.velocity) && detail::is_finite(b.velocity)) {
             observer(stage::filter);
             return s < 0;
         }

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstddef>
 
-namespace graze {
+namespace graze::detail {
 
 // Each pair kind has: the numbers of lengths, velocities and normals; pack, which writes the row; and motion, which
 // makes of lifted inputs the relative motion that the formulas take.
@@ -125,4 +125,4 @@ template <class P, class Row>
     return r;
 }
 
-} // namespace graze
+} // namespace graze::detail

@@ -3,6 +3,8 @@
 
 #include <graze/analysis/error_bound.hpp>
 #include <graze/formula/wall_features.hpp>
+#include <graze/number/binary.hpp>
+#include <graze/number/fence.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/number/integer.hpp>
 
@@ -24,11 +26,15 @@ template <int B>
 
 // float, double and int32 are exact as doubles; a difference of 64-bit integers is taken before it is rounded.
 template <class T>
-using difference_type = std::conditional_t<std::is_same_v<T, std::int64_t>, integer<64>, double>;
+using difference_type = std::conditional_t<is_wide_integer<T>, integer<64>, double>;
 
+template <class T>
+[[nodiscard]] constexpr auto wide(const T& x) noexcept {
+    return static_cast<difference_type<T>>(as_stored(x));
+}
 template <int N, class T>
 [[nodiscard]] constexpr auto wide(const vec<N, T>& x) noexcept {
-    return make_vec<N>([&](int i) { return static_cast<difference_type<T>>(x[i]); });
+    return make_vec<N>([&](int i) { return wide(x[i]); });
 }
 template <int N, class T>
 [[nodiscard]] constexpr auto rounded(const vec<N, T>& x) noexcept {
@@ -38,15 +44,15 @@ template <int N, class T>
 template <int N, class T>
 [[nodiscard]] constexpr auto rounded_motion(const ball<N, T>& a, const ball<N, T>& b) noexcept {
     using D = difference_type<T>;
-    const auto m = relative_motion_of(ball<N, D>{wide(a.position), wide(a.velocity), static_cast<D>(a.radius)},
-                                      ball<N, D>{wide(b.position), wide(b.velocity), static_cast<D>(b.radius)});
+    const auto m = relative_motion_of(ball<N, D>{wide(a.position), wide(a.velocity), wide(a.radius)},
+                                      ball<N, D>{wide(b.position), wide(b.velocity), wide(b.radius)});
     return relative_motion{rounded(m.dx), rounded(m.du), to_double(m.R)};
 }
 
 template <int N, class T>
 [[nodiscard]] constexpr auto rounded_motion(const ball<N, T>& b, const plane<N, T>& p) noexcept {
     return plane_motion{rounded(wide(b.position) - wide(p.point)), rounded(wide(b.velocity)), rounded(wide(p.normal)),
-                        to_double(static_cast<difference_type<T>>(b.radius))};
+                        to_double(wide(b.radius))};
 }
 
 template <int N, class T>
@@ -56,14 +62,14 @@ template <int N, class T>
         edge[i] = rounded(wide(w.edge[i]));
     }
     return wall_motion_of(rounded(wide(b.position) - wide(w.corner)), rounded(wide(b.velocity)), edge,
-                          to_double(static_cast<difference_type<T>>(b.radius)));
+                          to_double(wide(b.radius)));
 }
 
 // The same motions for error_bound, each vector against the scale that bounds its norm. Inputs of double and narrower
 // types are exact and their differences rounded once; what comes from 64-bit integers is rounded at most twice.
 template <class T>
 [[nodiscard]] consteval error_bound bounded_input(error_bound::degrees d, int roundings) {
-    const int count = std::is_same_v<T, std::int64_t> ? 2 : roundings;
+    const int count = is_wide_integer<T> ? 2 : roundings;
     return detail::rounded(1, 0, 1, count, d);
 }
 template <class T>

@@ -62,7 +62,8 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
                                                           (constant::discriminant + constant::h) * f.scale);
             if (bounds.upper < detail::enclosure::unknown) [[likely]] {
                 return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
-                                                        two_balls<N>{}, a, b, detail::event_kind::balls, 0, overlap);
+                                                        detail::two_balls<N>{}, a, b, detail::event_kind::balls, 0,
+                                                        overlap);
             }
             return detail::time_of_impact_exactly(a, b);
         }
@@ -80,8 +81,8 @@ requires is_binary_input<T>
     if (!is_collision(what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(
-        detail::event<N, T>(ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0, what == encounter::overlap));
+    return detail::enclosed_exactly(detail::event<N, T>(detail::ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0,
+                                                        what == encounter::overlap));
 }
 
 // The exact time at which a ball touches a wall's face, edge or corner first; empty for recede and miss. Throws as
@@ -94,8 +95,9 @@ requires is_binary_input<T>
     if (!is_collision(found.what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(detail::event<N, T>(ball_and_wall<N>{}, b, w, detail::kind_of<N>(found.where),
-                                                        found.index, found.what == encounter::overlap));
+    return detail::enclosed_exactly(detail::event<N, T>(detail::ball_and_wall<N>{}, b, w,
+                                                        detail::kind_of<N>(found.where), found.index,
+                                                        found.what == encounter::overlap));
 }
 
 } // namespace graze

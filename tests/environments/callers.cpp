@@ -1,0 +1,147 @@
+#include "callers.hpp"
+
+#include <graze/predicate/classify_walls.hpp>
+#include <graze/predicate/overlaps.hpp>
+#include <graze/predicate/time_of_impact.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+namespace environments {
+namespace {
+
+template <class T>
+[[nodiscard]] T stored(T x) {
+    volatile T memory = x;
+    return memory;
+}
+
+// x is near 1/epsilon, where p + d, p - d and p d lose what they add; q is some units away and the radius r so that
+// what was lost decides.
+template <class T>
+struct sample {
+    T p, d, q, r;
+};
+
+template <class T>
+[[nodiscard]] graze::ball<2, T> at(T x, T y, T u, T r) {
+    return {{{x, y}}, {{u, T(0)}}, r};
+}
+
+struct sum {
+    template <class T>
+    T operator()(const sample<T>& s) const {
+        return s.p + s.d;
+    }
+};
+struct difference_of_products {
+    template <class T>
+    T operator()(const sample<T>& s) const {
+        return s.p * s.d - s.p * (s.d - T(1));
+    }
+};
+struct product {
+    template <class T>
+    T operator()(const sample<T>& s) const {
+        return (s.p + T(1)) * (s.d / T(4) + T(1));
+    }
+};
+struct quotient {
+    template <class T>
+    T operator()(const sample<T>& s) const {
+        return s.p / (T(1) + s.d / T(8));
+    }
+};
+
+// What is said about a ball at x: each question in a function of its own, in which x is an expression.
+template <class T>
+[[nodiscard]] graze::ball<2, T> other(const sample<T>& s) {
+    return at(s.q, T(0), T(0), s.r / T(2));
+}
+template <class T>
+[[nodiscard]] graze::plane<2, T> plane(const sample<T>& s) {
+    return {{{s.q, T(0)}}, {{T(1), T(0)}}};
+}
+template <class T>
+[[nodiscard]] graze::wall<2, T> wall(const sample<T>& s) {
+    return {{{s.q, T(-8)}}, {{{{T(0), T(16)}}}}};
+}
+struct decision {
+    template <class T>
+    int operator()(T x, const sample<T>& s) const {
+        return static_cast<int>(graze::classify(at(x, T(1), T(-1), s.r), other(s)));
+    }
+};
+struct overlap {
+    template <class T>
+    int operator()(T x, const sample<T>& s) const {
+        return graze::overlaps(at(x, T(1), T(-1), s.r), other(s)) ? 1 : 0;
+    }
+};
+struct plane_decision {
+    template <class T>
+    int operator()(T x, const sample<T>& s) const {
+        return static_cast<int>(graze::classify(at(x, T(1), T(-1), s.r), plane(s)));
+    }
+};
+struct wall_decision {
+    template <class T>
+    int operator()(T x, const sample<T>& s) const {
+        return static_cast<int>(graze::classify(at(x, T(1), T(-1), s.r), wall(s)));
+    }
+};
+struct time_against_expression { // of a ball whose time is q against x
+    template <class T>
+    int operator()(T x, const sample<T>& s) const {
+        const auto time = graze::time_of_impact(at(s.q, T(0), T(-1), T(0)), at(T(0), T(0), T(0), T(0)));
+        return !time ? 0 : *time < x ? 1 : *time == x ? 2 : 3;
+    }
+};
+
+template <class Question, class F, class T>
+[[nodiscard, gnu::noinline]] int in_place(const sample<T>& s) {
+    return Question{}(F{}(s), s);
+}
+template <class Question, class T>
+[[nodiscard, gnu::noinline]] int from_memory(const T& x, const sample<T>& s) {
+    return Question{}(x, s);
+}
+
+template <class F, class T>
+void ask(caller_tally& t) {
+    std::uint64_t state = 1;
+    const auto next = [&state](unsigned below) { // a linear congruence; its upper bits
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<T>(static_cast<int>((state >> 40) % below));
+    };
+    const T large = std::is_same_v<T, double> ? T(0x1p53) : T(0x1p24);
+    for (int i = 0; i < 500; ++i) {
+        sample<T> s{stored(large + T(2) * next(64)), stored(next(16) / T(8)), T(0), stored(next(48) / T(8))};
+        s.q = stored(stored(F{}(s)) - T(2) * next(6));
+        const T x = stored(F{}(s));
+        const auto compare = [&]<class Question>(Question) {
+            ++t.asked;
+            t.different += in_place<Question, F>(s) == from_memory<Question>(x, s) ? 0U : 1U;
+        };
+        compare(decision{});
+        compare(overlap{});
+        compare(plane_decision{});
+        compare(wall_decision{});
+        compare(time_against_expression{});
+    }
+}
+
+} // namespace
+
+caller_tally ask_callers() {
+    caller_tally t;
+    ask<sum, double>(t);
+    ask<difference_of_products, double>(t);
+    ask<product, double>(t);
+    ask<quotient, double>(t);
+    ask<sum, float>(t);
+    ask<product, float>(t);
+    return t;
+}
+
+} // namespace environments
