@@ -98,30 +98,6 @@ void check_outputs(const options& o) {
     }
 }
 
-// A working directory of its own while it lives: CORE writes a file Core_Diagnostics into whichever is current, and
-// ends the program where it may not.
-class scratch_directory {
-  public:
-    scratch_directory() : before_(std::filesystem::current_path()) {
-        std::string name = (std::filesystem::temp_directory_path() / "graze-compare-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) {
-            throw input_error(name + ": cannot be made");
-        }
-        here_ = name;
-        std::filesystem::current_path(here_);
-    }
-    scratch_directory(const scratch_directory&) = delete;
-    scratch_directory& operator=(const scratch_directory&) = delete;
-    ~scratch_directory() {
-        std::error_code ignored;
-        std::filesystem::current_path(before_, ignored);
-        std::filesystem::remove_all(here_, ignored);
-    }
-
-  private:
-    std::filesystem::path before_, here_;
-};
-
 int run_comparison(const options& o) {
     check_outputs(o);
     const stopwatch watch;
@@ -143,10 +119,7 @@ int run_comparison(const options& o) {
     plan.methods = o.methods;
     plan.every_pair = o.all;
     plan.timing_seconds = o.timing;
-    {
-        const scratch_directory scratch;
-        measure_all(found, types, groups, plan, line);
-    }
+    measure_all(found, types, groups, plan, line);
     line.show("");
     draw_conclusions(found);
     found.seconds = watch.seconds();

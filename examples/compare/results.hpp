@@ -30,7 +30,7 @@ struct error_statistics {
     std::size_t count = 0;             // values measured; those of not_finite are among them, those of unscaled not
     std::size_t exact = 0;             // of these without any error
     std::size_t correctly_rounded = 0; // of these: the nearest double of the computed value is that of the exact one
-    std::size_t not_finite = 0;        // a NaN or an infinity where a number was due; error infinite
+    std::size_t not_finite = 0;        // a NaN, an infinity or nothing where a number was due; error infinite
     std::size_t unscaled = 0;          // the exact value is 0, the computed one is not
     double median = 0;                 // units of the last place
     double largest = 0;                // units of the last place; may be infinite

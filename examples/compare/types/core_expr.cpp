@@ -5,6 +5,8 @@
 
 #include <graze/number/cgal.hpp>
 
+#include <stdexcept>
+
 namespace compare {
 
 namespace {
@@ -35,11 +37,16 @@ struct converter<CORE::Expr> {
 
 template <>
 struct reader<CORE::Expr> {
+    // No value where CORE gives none but an error (see core_errors.hpp).
     [[nodiscard]] static computed read(const CORE::Expr& x, const true_value& right) {
-        if (x == expression_of(right.exactly())) {
-            return exactly_right{};
+        try {
+            if (x == expression_of(right.exactly())) {
+                return exactly_right{};
+            }
+            return approximation_of(x);
+        } catch (const std::runtime_error&) {
+            return not_finite{};
         }
-        return approximation_of(x);
     }
     static void settle(const CORE::Expr& x) { static_cast<void>(x.doubleValue()); }
 };
