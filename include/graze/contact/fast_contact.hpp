@@ -1,0 +1,242 @@
+// The contact of two balls that hit, from doubles: each component with a proven error, and rounded where that leaves no
+// doubt.
+//
+// y = Δx + Δu τ is a sum of two doubles, s = -y·Δu = √D, and then
+//   position  x + u τ        normal  y/R        velocity  u_a + φ_a y/R,  u_b - φ_b y/R,  φ_a = 2 (s/R) m_b/(m_a + m_b)
+// ((13), (20), (23) with (29): ⟨Δu,X̂⟩ = -s/R). Errors of low parts are counted as in predicate/fast_approach.hpp, whose
+// bounds and notation are used; e is its error of the time.
+#pragma once
+
+#include <graze/contact/contact.hpp>
+#include <graze/contact/parts.hpp>
+#include <graze/predicate/fast_approach.hpp>
+#include <graze/predicate/rounding_test.hpp>
+
+namespace graze::detail {
+
+// 1/x of two sums x = value + error: with r = 1 - ih x = 1 - ih value - ih error, 1/x = ih + ih r + ih r²/(1 - r), |r|
+// <= 2.01 u. Its relative error is at most u² + 2u² + 2.1u² + 4.1u² <= 9.2 u², and |il| <= 2.02 u ih.
+[[nodiscard, gnu::always_inline]] inline exact_pair<lanes> inverse_of(const exact_pair<lanes>& x) noexcept {
+    const lanes inverse = settled(1 / x.value);
+    const auto product = two_product(inverse, x.value);
+    const lanes rest = settled(settled(1 - product.value) - product.error) - inverse * x.error;
+    return {inverse, rest * inverse};
+}
+
+// x + u (t0 + t1): an error of at most 2^-104 |x| + 1.25 |u| e. The parts that are added up at the end are the errors
+// of a product and of a sum, and u t1: three roundings of each, and one for adding the bound, make at most 3u² |x| +
+// |u| (6u² t0 + 3u |t1| + e).
+[[nodiscard, gnu::always_inline]] inline bounded<lanes> bounded_position(const lanes& x, const lanes& u,
+                                                                         const fast_approach& r) noexcept {
+    const auto way = two_product(as_factor(u), r.t0);
+    const auto sum = two_sum(x, way.value);
+    const lanes low = (sum.error + way.error) + u * r.t1;
+    return {sum.value, low, 0x1p-104 * absolute(x) + absolute(u) * (1.25 * r.error) + underflow};
+}
+
+// The normal, high + low, and its error.
+struct lane_normal {
+    factor<lanes> high;
+    lanes low, error;
+
+    [[nodiscard]] bounded<lanes> value() const noexcept { return {high.value, low, error + underflow}; }
+};
+
+// yl at τ: zl = yl + Δu t1 has an error of at most 10.1 u² |Δx| + 1.21 |Δu| e, and |zl| <= 3.02 u m + |Δu t1|. Times
+// (ih, il), with roundings of at most 8.3 u² |yh| ih + 4.2 u |zl| ih and the inverse's 9.2 u² |yh| ih: together at most
+// ih (64 u² |Δx| + 2 |Δu| e), the rounding in adding the bound included.
+[[nodiscard, gnu::always_inline]] inline lanes low_at_contact(const lane_displacement& y, double t1) noexcept {
+    return y.low + y.du.value * t1;
+}
+[[nodiscard, gnu::always_inline]] inline lane_normal normal_of(const lane_displacement& y, const lanes& low,
+                                                               const lanes& dx, const factor<lanes>& inverse,
+                                                               const lanes& inverse_low, double error) noexcept {
+    const auto product = two_product(y.high, inverse);
+    return {as_factor(product.value), (product.error + y.high.value * inverse_low) + low * inverse.value,
+            inverse.value * (0x1p-100 * absolute(dx) + absolute(y.du.value) * (2 * error))};
+}
+
+// u + φ n: an error of at most |φ| (1.6 error of n + |n| (the relative error of φ + 74 u²)) + u² |u|, for |φ's low
+// part|
+// <= 9 u |φ|. `spread` is more than the parenthesis.
+[[nodiscard, gnu::always_inline]] inline bounded<lanes> bounded_velocity(const lanes& u, const factor<lanes>& phi,
+                                                                         const lanes& phi_low, const lane_normal& n,
+                                                                         double spread) noexcept {
+    const auto product = two_product(phi, n.high);
+    const auto sum = two_sum(u, product.value);
+    const lanes low = sum.error + (product.error + (phi.value * n.low + phi_low * n.high.value));
+    const lanes error = absolute(phi.value) * (2 * n.error + absolute(n.high.value) * spread) + 0x1p-105 * absolute(u);
+    return {sum.value, low, error + underflow};
+}
+
+// (x.value + x.error)(high + low) but for the product of the low parts: its relative error is at most 5.2 u² + 4.1 u λ
+// more than its factors', |x.error| <= λ |x.value|, |low| <= 3.1 u |high|; and its low part is at most λ + 3.1 u of it.
+[[nodiscard, gnu::always_inline]] inline exact_pair<double> times(const exact_pair<double>& x, double high,
+                                                                  double low) noexcept {
+    const auto product = two_product(x.value, high);
+    return {product.value, (product.error + x.value * low) + x.error * high};
+}
+
+// s = -y·Δu at contact, its low part at most u of it. Three products and two sums without error; the low terms add up
+// to at most u (4.1 R V + 6.8 L V) + V² |t1|, with 6 roundings each; y's own error makes 10.1 u² L V + 1.21 V² e.
+// Together 76 u² L V + 1.5 V² e, relatively at most 54 u² γ + 1.5 e a/σ.
+[[nodiscard, gnu::always_inline]] inline exact_pair<double> closing_speed(const fast_approach& r, const lanes& low01,
+                                                                          const lanes& low2) noexcept {
+    const auto product01 = two_product(r.y01.high, r.y01.du);
+    const auto product2 = two_product(r.y2R.high, r.y2R.du);
+    const lanes rest01 = product01.error + (r.y01.high.value * r.motion.u01.error + low01 * r.y01.du.value);
+    const lanes rest2 = product2.error + (r.y2R.high.value * r.motion.u2.error + low2 * r.y2R.du.value);
+    const auto plane_sum = two_sum(product01.value[0], product01.value[1]);
+    const auto sum = two_sum(plane_sum.value, product2.value[0]);
+    const double low = (plane_sum.error + sum.error) + ((rest01[0] + rest01[1]) + rest2[0]);
+    return fast_two_sum(-sum.value, -settled(low));
+}
+
+// Two factors of which lane i of the result is lane `from_i` of x.
+[[nodiscard, gnu::always_inline]] inline lanes picked(const lanes& x, int first, int second) noexcept {
+    return lanes{x[first], x[second]};
+}
+[[nodiscard, gnu::always_inline]] inline factor<lanes> picked(const factor<lanes>& x, int first, int second) noexcept {
+    return {picked(x.value, first, second), {picked(x.parts.high, first, second), picked(x.parts.low, first, second)}};
+}
+
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline lanes first_two(const vec<N, T>& x) noexcept {
+    return lanes{static_cast<double>(x[0]), static_cast<double>(x[1])};
+}
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline lanes last_two(const vec<N, T>& x, const vec<N, T>& y) noexcept {
+    return lanes{static_cast<double>(x[N - 1]), static_cast<double>(y[N - 1])};
+}
+
+// Component `number` of a contact, as parts count them.
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline T& component(contact<N, T>& c, int number) noexcept {
+    const int i = (number - 1) % 3;
+    return number == 0   ? c.time
+           : number < 4  ? c.position_a[i]
+           : number < 7  ? c.position_b[i]
+           : number < 10 ? c.normal[i]
+           : number < 13 ? c.velocity_a[i]
+                         : c.velocity_b[i];
+}
+
+// Components that no arithmetic is needed for, which the intervals leave open when they are 0: where a ball does not
+// move along an axis, and where both are, and move, alike.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] inline parts fast_hit_at_rest(parts open_parts, contact<N, T>& c, const ball<N, T>& a,
+                                                           const ball<N, T>& b) noexcept {
+    const T zero(0);
+    const auto set = [&](part which, int i, T& to, T value) {
+        const parts bit = parts{1} << (static_cast<int>(which) + i);
+        to = (open_parts & bit) != 0 ? value + zero : to; // -0 + 0 = +0
+        open_parts &= ~bit;
+    };
+    for (int i = 0; i < N; ++i) {
+        if (a.velocity[i] == zero) {
+            set(part::position_a, i, c.position_a[i], a.position[i]);
+        }
+        if (b.velocity[i] == zero) {
+            set(part::position_b, i, c.position_b[i], b.position[i]);
+        }
+        if (a.position[i] == b.position[i] && a.velocity[i] == b.velocity[i]) {
+            set(part::normal, i, c.normal[i], zero);
+            set(part::velocity_a, i, c.velocity_a[i], a.velocity[i]);
+            set(part::velocity_b, i, c.velocity_b[i], b.velocity[i]);
+        }
+    }
+    return open_parts;
+}
+
+// The contact of two balls that hit (D > 0) near `time`: take(x, i, j) is called with components i and j as lanes, or
+// take(x, i) with one. False, and calls nothing, if no bounds are known. mass_a, mass_b: 1 and 0 where ball a's mass is
+// infinite, 0 and 1 where b's.
+//
+// φ = 2 (s/R)/(m_a + m_b) m has a relative error of at most 54 u² γ + 1.5 e a/σ (of s) + 17.5 u² + 4.1 u² + 17.5 u² +
+// 17 u² + 14 u² <= 90 u² γ + 1.5 e a/σ, and a low part of at most 9 u of it.
+template <int N, class T, class F>
+[[nodiscard, gnu::always_inline]] inline bool bound_hit(const ball<N, T>& a, const ball<N, T>& b, double mass_a,
+                                                        double mass_b, double time, F take) noexcept {
+    const lane_motion m = lane_motion_of(a, b);
+    const fast_approach r = approach_near(m, time);
+    const auto in_range = [](double mass) { return mass == 0 || within_powers<-200, 200>(mass); };
+    if (!(r.good && in_range(mass_a) && in_range(mass_b))) [[unlikely]] {
+        return false;
+    }
+    take(r.time(), 0);
+    take(bounded_position(first_two(a.position), first_two(a.velocity), r), 1, 2);
+    take(bounded_position(first_two(b.position), first_two(b.velocity), r), 4, 5);
+    if constexpr (N == 3) {
+        take(bounded_position(last_two(a.position, b.position), last_two(a.velocity, b.velocity), r), 3, 6);
+    }
+
+    const auto masses = two_sum(mass_a, mass_b);
+    const auto inverse =
+        inverse_of({lanes{m.x2R.value[1], masses.value}, lanes{m.x2R.error[1], masses.error}}); // of R and m_a + m_b
+    const factor<lanes> per_length = as_factor(both(inverse.value[0]));
+    const lanes low01 = low_at_contact(r.y01, r.t1);
+    const lanes low2 = low_at_contact(r.y2R, r.t1);
+    const lane_normal n01 = normal_of(r.y01, low01, m.x01.value, per_length, both(inverse.error[0]), r.error);
+    const lane_normal n2R = normal_of(r.y2R, low2, m.x2R.value, per_length, both(inverse.error[0]), r.error);
+    take(n01.value(), 7, 8);
+
+    const auto s = closing_speed(r, low01, low2);
+    const auto per_radius = times(s, inverse.value[0], inverse.error[0]);
+    const auto per_mass = times({2 * per_radius.value, 2 * per_radius.error}, inverse.value[1], inverse.error[1]);
+    const lanes shares{mass_b, -mass_a};
+    const auto product = two_product(both(per_mass.value), shares);
+    const factor<lanes> phi = as_factor(product.value);
+    const lanes phi_low = product.error + per_mass.error * shares;
+    const double spread = 0x1p-98 * r.sensitivity + 2 * r.per_time * r.error;
+    const auto velocity = [&](const lanes& u, int i, int j, const lane_normal& n) {
+        return bounded_velocity(u, picked(phi, i, j), picked(phi_low, i, j), n, spread);
+    };
+    take(velocity(first_two(a.velocity), 0, 0, n01), 10, 11);
+    take(velocity(first_two(b.velocity), 1, 1, n01), 13, 14);
+    if constexpr (N == 3) {
+        const lane_normal n2{picked(n2R.high, 0, 0), picked(n2R.low, 0, 0), picked(n2R.error, 0, 0)};
+        take(bounded<double>{n2.high.value[0], n2.low[0], n2.error[0] + underflow}, 9);
+        take(velocity(last_two(a.velocity, b.velocity), 0, 1, n2), 12, 15);
+    }
+    return true;
+}
+
+// Fills in the components that are certain and returns the others. The velocity of a ball of infinite mass is left
+// alone.
+template <int N, class T>
+[[nodiscard]] inline parts fast_hit(contact<N, T>& c, const ball<N, T>& a, const ball<N, T>& b, double mass_a,
+                                    double mass_b, double time) noexcept {
+    constexpr parts every_part = N == 3 ? 0xffffU : 0x6db7U;
+    constexpr parts of_velocity = 7;
+    parts certain = mass_a == 0   ? of_velocity << static_cast<int>(part::velocity_b)
+                    : mass_b == 0 ? of_velocity << static_cast<int>(part::velocity_a)
+                                  : 0;
+    contact<N, T> found;
+    const bool known = bound_hit(a, b, mass_a, mass_b, time, [&]<class V>(const bounded<V>& x, auto... numbers) {
+        const ends<V> interval = ends_of<T>(x);
+        if constexpr (sizeof...(numbers) == 1) {
+            component(found, numbers...) = static_cast<T>(interval.upper);
+            certain |= parts{agree<T>(interval)} << (numbers, ...);
+        } else {
+            const int number[2] = {numbers...};
+            component(found, number[0]) = static_cast<T>(interval.upper[0]);
+            component(found, number[1]) = static_cast<T>(interval.upper[1]);
+            const unsigned two = agreeing<T>(interval);
+            certain |= (two & 1U) << number[0] | (two >> 1) << number[1];
+        }
+    });
+    if (!known) {
+        return every_part & ~certain;
+    }
+    if (mass_b == 0) {
+        found.velocity_a = c.velocity_a;
+    }
+    if (mass_a == 0) {
+        found.velocity_b = c.velocity_b;
+    }
+    c = found;
+    const parts open_parts = every_part & ~certain;
+    return open_parts == 0 ? 0 : fast_hit_at_rest(open_parts, c, a, b);
+}
+
+} // namespace graze::detail

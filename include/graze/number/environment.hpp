@@ -1,0 +1,55 @@
+// Whether doubles round as error-free transforms need it: to nearest, once each, subnormals kept.
+#pragma once
+
+#include <cstdint>
+
+namespace graze::detail {
+
+// What is known when compiling: no -ffast-math or part of it that the compiler tells of, no x87 registers. Clang tells
+// nothing of -fassociative-math alone; the transforms are settled against it.
+#if defined(__GNUC__) && defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0 && !defined(__FAST_MATH__) &&        \
+    !defined(__ASSOCIATIVE_MATH__) && !defined(__RECIPROCAL_MATH__) &&                                                 \
+    !(defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+inline constexpr bool has_error_free_doubles = true;
+#else
+inline constexpr bool has_error_free_doubles = false;
+#endif
+
+// x, of which the compiler knows nothing.
+[[nodiscard]] inline double unknown(double x) noexcept {
+#if defined(__GNUC__)
+    __asm__ volatile("" : "+m"(x));
+    return x;
+#else
+    volatile double y = x;
+    return y;
+#endif
+}
+
+// By calculating: 1 + 2^-55 = 1 - 2^-55 only to nearest; 2^-1023, the difference of two normal numbers, is kept, and
+// twice it is 2^-1022.
+[[nodiscard]] inline bool calculates_to_nearest() noexcept {
+    const double one = unknown(1);
+    const double half_subnormal = unknown(0x1.8p-1022) - 0x1p-1022;
+    return (one + 0x1p-55 == one - 0x1p-55) & (half_subnormal + half_subnormal == 0x1p-1022);
+}
+
+// What is state when running, at the cost of reading a control register where there is one.
+[[nodiscard, gnu::always_inline]] inline bool rounds_to_nearest() noexcept {
+#if defined(__SSE2_MATH__)
+    return (__builtin_ia32_stmxcsr() & 0xe040U) == 0; // rounding direction, flush-to-zero, denormals-are-zero
+#elif defined(__aarch64__)
+    std::uint64_t control;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+    return (control & 0x1c00001U) == 0; // RMode, FZ, FIZ
+#else
+    return calculates_to_nearest();
+#endif
+}
+
+// Whether error-free transforms can be relied on here and now.
+[[nodiscard, gnu::always_inline]] inline bool error_free_now() noexcept {
+    return has_error_free_doubles && rounds_to_nearest();
+}
+
+} // namespace graze::detail

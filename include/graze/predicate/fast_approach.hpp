@@ -1,0 +1,120 @@
+// When two centres are at a given distance, as a sum of two doubles with a proven error: one Newton step from a time in
+// doubles, with the residual |Δx + Δu t|² - R² from error-free transforms.
+//
+// u = 2^-53, doubles rounded to nearest. The values that are not error-free are low parts, where a rounding costs u²;
+// whether a sum of theirs is contracted or reordered makes no difference to the counts of roundings below.
+#pragma once
+
+#include <graze/filter/static_filter.hpp>
+#include <graze/number/environment.hpp>
+#include <graze/number/error_free.hpp>
+#include <graze/number/lanes.hpp>
+#include <graze/predicate/rounding_test.hpp>
+#include <graze/shape/ball.hpp>
+
+namespace graze::detail {
+
+// Δx and, in the last lane, R; Δu. Each is value + error, exactly: |error| <= u |value|.
+struct lane_motion {
+    exact_pair<lanes> x01, x2R, u01, u2;
+};
+
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline lane_motion lane_motion_of(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+    const auto at = [](const vec<N, T>& x, int i) { return static_cast<double>(x[i]); };
+    const auto third = [&](const vec<N, T>& x) { return N == 3 ? at(x, N - 1) : 0.0; };
+    lane_motion m;
+    m.x01 = two_difference(lanes{at(a.position, 0), at(a.position, 1)}, lanes{at(b.position, 0), at(b.position, 1)});
+    m.x2R = two_difference(lanes{third(a.position), static_cast<double>(a.radius)},
+                           lanes{third(b.position), -static_cast<double>(b.radius)});
+    m.u01 = two_difference(lanes{at(a.velocity, 0), at(a.velocity, 1)}, lanes{at(b.velocity, 0), at(b.velocity, 1)});
+    m.u2 = two_difference(lanes{third(a.velocity), 0}, lanes{third(b.velocity), 0});
+    return m;
+}
+
+// Δx + Δu t0 in two lanes, with what the next steps need of it.
+struct lane_displacement {
+    factor<lanes> high; // yh
+    lanes low;          // yl: y = yh + yl
+    factor<lanes> du;   // Δu's value
+};
+
+// With m = |Δx| + |Δu| t0 lane by lane, of values: |yl| <= 3.02 u m, and the error of yh + yl is at most 7.01 u² m: the
+// exact y is yh + the errors of the sum, the product and Δx + (the error of Δu) t0, which are at most u m, u |Δu| t0, u
+// |Δx| and u |Δu| t0; the four roundings in adding them up cost u² (|Δu| t0 + m + (m + |Δu| t0) + (2m + |Δu| t0)).
+[[nodiscard, gnu::always_inline]] inline lane_displacement
+displacement(const exact_pair<lanes>& dx, const exact_pair<lanes>& du, const factor<lanes>& t0) noexcept {
+    const factor<lanes> speed = as_factor(du.value);
+    const auto way = two_product(speed, t0);
+    const auto sum = two_sum(dx.value, way.value);
+    return {as_factor(sum.value), sum.error + (way.error + (dx.error + du.error * t0.value)), speed};
+}
+
+// τ = t0 + t1 with an error of at most `error`, if good.
+struct fast_approach {
+    lane_motion motion;
+    factor<lanes> t0;
+    lane_displacement y01, y2R; // at t0
+    double t1;
+    double error;
+    double sensitivity; // γ >= (L V/σ)²
+    double per_time;    // a/σ: what an error of the time is to σ, relatively
+    bool good;
+
+    [[nodiscard]] bounded<double> time() const noexcept { return {t0.value[0], t1, error}; }
+};
+
+// The smaller root τ near t0, for D > 0. Let L² = |Δx|² + R², V = |Δu|, y = Δx + Δu t0, f = |y|² - R² and σ = -y·Δu.
+// For σ > 0 the smaller root is t0 + δ with δ = (f + V² δ²)/(2σ) and |δ| <= |f|/σ (as D = σ² - V² f > 0). t1 = f/(2σ)
+// with computed f and σ. `good` means that σ > 0, γ < 2^64 and V² |t1|/σ < 2^-10, for the computed values, and that L²
+// and V² are in ranges where nothing over- or underflows that matters. Then
+//   |y|² < 1.0022 R², so σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the balls are apart), t0 < 1.43 L/V,
+//     and with m as above, |m| <= 2.25 L;
+//   |σ̂ - σ| <= 3.01 u |y| V + u (|y| V + 2.25·3.02 L V) <= 10 u L V < 2^-9 σ;
+//   the low terms of f add up to at most u (1 + 1 + 2.02 + 2.01) R² + 2.01·3.02 u |m| R <= 18.1 u L R (errors of the
+//     squares, of R², of the sums, R's error, and yl (2 yh + yl)), with at most 6 roundings each: 109 u² L R; y's error
+//     makes 2.01 R·7.01 u² |m| <= 32 u² L R; the difference that cancels adds 18 u² L R and, with f's last rounding, 2
+//     u |f|. Together |f̂ - f| <= 113 u² L² + 2 u |f|;
+//   |τ - t0 - t1| <= (113 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
+//   0.51
+//     γ: below error := (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included.
+// So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
+[[nodiscard, gnu::always_inline]] inline fast_approach approach_near(const lane_motion& m, double time) noexcept {
+    fast_approach r;
+    r.motion = m;
+    r.t0 = as_factor(both(time));
+    r.y01 = displacement(m.x01, m.u01, r.t0);
+    r.y2R = displacement(m.x2R, m.u2, r.t0);
+    const auto low_terms = [](const lane_displacement& y, const exact_pair<lanes>& square) {
+        return lanes(square.error + y.low * (y.high.value + y.high.value + y.low));
+    };
+    const auto square01 = two_square(r.y01.high);
+    const auto square2R = two_square(r.y2R.high);
+    const lanes low01 = low_terms(r.y01, square01);
+    const lanes low2R = low_terms(r.y2R, square2R);
+    const auto plane_sum = two_sum(square01.value[0], square01.value[1]);
+    const auto sum = two_sum(plane_sum.value, square2R.value[0]);
+    const double low = (plane_sum.error + sum.error) + ((low01[0] + low01[1]) + (low2R[0] - low2R[1]));
+    const double residual = settled(settled(sum.value - square2R.value[1]) + low);
+
+    const lanes along01 = r.y01.high.value * m.u01.value;
+    const double sigma = -(along01[0] + along01[1] + r.y2R.high.value[0] * m.u2.value[0]);
+    const lanes v01 = m.u01.value * m.u01.value;
+    const double speed2 = v01[0] + v01[1] + m.u2.value[0] * m.u2.value[0];
+    const lanes x01 = m.x01.value * m.x01.value;
+    const lanes x2R = m.x2R.value * m.x2R.value;
+    const double length2 = (x01[0] + x01[1]) + (x2R[0] + x2R[1]);
+    const double inverse = 1 / sigma;
+    r.t1 = settled(0.5 * residual * inverse);
+    r.sensitivity = (speed2 * inverse) * (length2 * inverse);
+    r.per_time = speed2 * inverse;
+    const double magnitude = absolute(r.t1);
+    const double turn = r.per_time * magnitude;
+    r.error = settled(0x1p-99 * length2 * inverse + magnitude * (5 * turn + 0x1p-49 * r.sensitivity));
+    const auto all = [](auto... conditions) { return (static_cast<unsigned>(conditions) & ...) != 0; }; // one branch
+    r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), sigma > 0, r.sensitivity < 0x1p64,
+                 turn < 0x1p-10);
+    return r;
+}
+
+} // namespace graze::detail

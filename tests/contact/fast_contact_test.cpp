@@ -1,0 +1,150 @@
+// The fast path of a contact against the oracle: no component is further from the exact one than its bound, none that
+// is certain is rounded wrongly, whatever family the pair is of and however bad the first time was.
+#include "../oracle/contact.hpp"
+#include "../oracle/rounding.hpp"
+
+#include <graze/contact/fast_contact.hpp>
+
+#include <families/families.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+using graze::detail::parts;
+
+namespace {
+
+constexpr std::size_t components = 16;
+
+// A contact's components in the order in which parts number them; of a plane the third ones are not used.
+template <int N>
+std::array<oracle::surd, components> listed(const oracle::ball_contact<N>& c) {
+    std::array<oracle::surd, components> list;
+    list[0] = c.time;
+    const oracle::surd_vector<N>* const vectors[] = {&c.position_a, &c.position_b, &c.normal, &c.velocity_a,
+                                                     &c.velocity_b};
+    for (std::size_t k = 0; k < 5; ++k) {
+        for (std::size_t i = 0; i < N; ++i) {
+            list[1 + 3 * k + i] = (*vectors[k])[static_cast<int>(i)];
+        }
+    }
+    return list;
+}
+
+mpq_class exact(double x) { return mpq_class(x); }
+
+double lane(double x, int) { return x; }
+double lane(const graze::detail::lanes& x, int i) { return x[i]; }
+
+// |x - (high + low)| <= error
+template <class V>
+bool holds(const graze::detail::bounded<V>& x, int i, const oracle::surd& truth) {
+    const double high = lane(x.high, i), low = lane(x.low, i), error = lane(x.error, i);
+    if (!std::isfinite(high) || !std::isfinite(low) || !std::isfinite(error)) {
+        return true; // bounds nothing, and is never certain
+    }
+    const mpq_class middle = exact(high) + exact(low);
+    return oracle::compare(truth, mpq_class(middle + exact(error))) <= 0 &&
+           oracle::compare(truth, mpq_class(middle - exact(error))) >= 0;
+}
+
+struct seen {
+    int pairs = 0, answered = 0, certain = 0, wrong_bounds = 0, wrong_values = 0;
+};
+
+template <int N, class T>
+graze::vec<N, T> to(const graze::vec<N, double>& x) {
+    return graze::make_vec<N>([&](int i) { return static_cast<T>(x[i]); });
+}
+template <class T, int N>
+graze::ball<N, T> to(const graze::ball<N, double>& b) {
+    return {to<N, T>(b.position), to<N, T>(b.velocity), static_cast<T>(b.radius), static_cast<T>(b.mass)};
+}
+template <int N, class T>
+bool is_finite(const graze::ball<N, T>& b) {
+    bool finite = std::isfinite(b.radius) && b.mass > 0;
+    for (int i = 0; i < N; ++i) {
+        finite = finite && std::isfinite(b.position[i]) && std::isfinite(b.velocity[i]);
+    }
+    return finite;
+}
+
+// The time rounded, and then off by 2^-10 to 2^-70 of it.
+double rough_time(families::random& r, const oracle::surd& time) {
+    const double off = std::ldexp(1.0, -static_cast<int>(r.in(10, 70)));
+    return oracle::approximate(time).get_d() * (1 + (r.one_in(2) ? off : -off));
+}
+
+template <int N, class T>
+void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
+    if (!is_finite(a) || !is_finite(b) || (std::isinf(a.mass) && std::isinf(b.mass))) {
+        return;
+    }
+    const auto met = oracle::meet(a, b);
+    if (met.what != oracle::encounter::hit) {
+        return;
+    }
+    ++s.pairs;
+    const auto inverse = [](T mass) { return std::isinf(mass) ? mpq_class(0) : mpq_class(1) / mpq_class(mass); };
+    const auto truth = listed(oracle::contact(a, b, inverse(a.mass), inverse(b.mass), met));
+    const bool heavy_a = std::isinf(a.mass), heavy_b = std::isinf(b.mass);
+    const double mass_a = heavy_a ? 1 : heavy_b ? 0 : static_cast<double>(a.mass);
+    const double mass_b = heavy_b ? 1 : heavy_a ? 0 : static_cast<double>(b.mass);
+    const double time = rough_time(r, truth[0]);
+    if (!graze::detail::bound_hit(a, b, mass_a, mass_b, time,
+                                  [&]<class V>(const graze::detail::bounded<V>& x, auto... numbers) {
+                                      int i = 0;
+                                      for (const int number : {numbers...}) {
+                                          const bool good = holds(x, i++, truth[static_cast<std::size_t>(number)]);
+                                          s.wrong_bounds += good ? 0 : 1;
+                                      }
+                                  })) {
+        return;
+    }
+    ++s.answered;
+    graze::contact<N, T> c;
+    c.velocity_a = a.velocity;
+    c.velocity_b = b.velocity;
+    const parts open_parts = graze::detail::fast_hit(c, a, b, mass_a, mass_b, time);
+    s.certain += open_parts == 0 ? 1 : 0;
+    for (int number = 0; number < static_cast<int>(components); ++number) {
+        if ((open_parts >> number & 1U) == 0 && (number == 0 || (number - 1) % 3 < N)) {
+            const T y = graze::detail::component(c, number);
+            s.wrong_values += oracle::is_rounded(truth[static_cast<std::size_t>(number)], y) ? 0 : 1;
+        }
+    }
+}
+
+template <class T>
+void try_families(std::uint64_t count) {
+    for (const families::family& f : families::all_families) {
+        CAPTURE(f.name);
+        seen s;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            families::random r(7, i);
+            const auto flat = f.draw<2>(11, i);
+            const auto solid = f.draw<3>(11, i);
+            if (flat.kind == families::pair_kind::ball_ball) {
+                look(s, r, to<T>(flat.a), to<T>(flat.b));
+            }
+            if (solid.kind == families::pair_kind::ball_ball) {
+                look(s, r, to<T>(solid.a), to<T>(solid.b));
+            }
+        }
+        CHECK(s.wrong_bounds == 0);
+        CHECK(s.wrong_values == 0);
+        if (f.name == "generic" || f.name == "masses") {
+            CHECK(s.pairs > 10);
+            CHECK(s.answered > s.pairs / 3); // the others' times were too rough
+        }
+        MESSAGE(f.name << ": " << s.pairs << " hits, " << s.answered << " bounded, " << s.certain << " certain");
+    }
+}
+
+} // namespace
+
+TEST_CASE("bounds hold and certain components are right: doubles") { try_families<double>(300); }
+TEST_CASE("bounds hold and certain components are right: floats") { try_families<float>(100); }
