@@ -34,39 +34,36 @@ namespace graze::detail {
     return {sum.value, low, 0x1p-104 * absolute(x) + absolute(u) * (1.25 * r.error) + underflow};
 }
 
-// The normal, high + low, and its error.
+// The normal, high + low.
 struct lane_normal {
     factor<lanes> high;
-    lanes low, error;
-
-    [[nodiscard]] bounded<lanes> value() const noexcept { return {high.value, low, error + underflow}; }
+    lanes low;
 };
 
 // yl at τ: zl = yl + Δu t1 has an error of at most 10.1 u² |Δx| + 1.21 |Δu| e, and |zl| <= 3.02 u m + |Δu t1|. Times
-// (ih, il), with roundings of at most 8.3 u² |yh| ih + 4.2 u |zl| ih and the inverse's 9.2 u² |yh| ih: together at most
-// ih (64 u² |Δx| + 2 |Δu| e), the rounding in adding the bound included.
+// (ih, il), with roundings of at most 8.3 u² |yh| ih + 4.2 u |zl| ih and the inverse's 9.2 u² |yh| ih: together, the
+// rounding in adding the bound included, at most (50 u² |Δx| + 1.87 |Δu| e)/R, which is less than 2.5 e a/σ since L <=
+// 2^98.5 V e and V/R <= 1.003 a/σ.
 [[nodiscard, gnu::always_inline]] inline lanes low_at_contact(const lane_displacement& y, double t1) noexcept {
     return y.low + y.du.value * t1;
 }
 [[nodiscard, gnu::always_inline]] inline lane_normal normal_of(const lane_displacement& y, const lanes& low,
-                                                               const lanes& dx, const factor<lanes>& inverse,
-                                                               const lanes& inverse_low, double error) noexcept {
+                                                               const factor<lanes>& inverse,
+                                                               const lanes& inverse_low) noexcept {
     const auto product = two_product(y.high, inverse);
-    return {as_factor(product.value), (product.error + y.high.value * inverse_low) + low * inverse.value,
-            inverse.value * (0x1p-100 * absolute(dx) + absolute(y.du.value) * (2 * error))};
+    return {as_factor(product.value), (product.error + y.high.value * inverse_low) + low * inverse.value};
 }
 
-// u + φ n: an error of at most |φ| (1.6 error of n + |n| (the relative error of φ + 74 u²)) + u² |u|, for |φ's low
+// u + φ n: an error of at most |φ| (1.6 error of n + |n| (the relative error of φ + 74 u²)) + 2u² |u|, for |φ's low
 // part|
-// <= 9 u |φ|. `spread` is more than the parenthesis.
+// <= 9 u |φ|. own_error is that without the last term.
 [[nodiscard, gnu::always_inline]] inline bounded<lanes> bounded_velocity(const lanes& u, const factor<lanes>& phi,
                                                                          const lanes& phi_low, const lane_normal& n,
-                                                                         double spread) noexcept {
+                                                                         const lanes& own_error) noexcept {
     const auto product = two_product(phi, n.high);
     const auto sum = two_sum(u, product.value);
     const lanes low = sum.error + (product.error + (phi.value * n.low + phi_low * n.high.value));
-    const lanes error = absolute(phi.value) * (2 * n.error + absolute(n.high.value) * spread) + 0x1p-105 * absolute(u);
-    return {sum.value, low, error + underflow};
+    return {sum.value, low, 0x1p-105 * absolute(u) + own_error};
 }
 
 // (x.value + x.error)(high + low) but for the product of the low parts: its relative error is at most 5.2 u² + 4.1 u λ
@@ -83,12 +80,12 @@ struct lane_normal {
 [[nodiscard, gnu::always_inline]] inline exact_pair<double> closing_speed(const fast_approach& r, const lanes& low01,
                                                                           const lanes& low2) noexcept {
     const auto product01 = two_product(r.y01.high, r.y01.du);
-    const auto product2 = two_product(r.y2R.high, r.y2R.du);
+    const auto product2 = two_product(r.yR2.high, r.yR2.du);
     const lanes rest01 = product01.error + (r.y01.high.value * r.motion.u01.error + low01 * r.y01.du.value);
-    const lanes rest2 = product2.error + (r.y2R.high.value * r.motion.u2.error + low2 * r.y2R.du.value);
+    const lanes rest2 = product2.error + (r.yR2.high.value * r.motion.u_2.error + low2 * r.yR2.du.value);
     const auto plane_sum = two_sum(product01.value[0], product01.value[1]);
-    const auto sum = two_sum(plane_sum.value, product2.value[0]);
-    const double low = (plane_sum.error + sum.error) + ((rest01[0] + rest01[1]) + rest2[0]);
+    const auto sum = two_sum(plane_sum.value, product2.value[1]);
+    const double low = (plane_sum.error + sum.error) + ((rest01[0] + rest01[1]) + rest2[1]);
     return fast_two_sum(-sum.value, -settled(low));
 }
 
@@ -172,71 +169,67 @@ template <int N, class T, class F>
 
     const auto masses = two_sum(mass_a, mass_b);
     const auto inverse =
-        inverse_of({lanes{m.x2R.value[1], masses.value}, lanes{m.x2R.error[1], masses.error}}); // of R and m_a + m_b
+        inverse_of({lanes{m.xR2.value[0], masses.value}, lanes{m.xR2.error[0], masses.error}}); // of R and m_a + m_b
     const factor<lanes> per_length = as_factor(both(inverse.value[0]));
     const lanes low01 = low_at_contact(r.y01, r.t1);
-    const lanes low2 = low_at_contact(r.y2R, r.t1);
-    const lane_normal n01 = normal_of(r.y01, low01, m.x01.value, per_length, both(inverse.error[0]), r.error);
-    const lane_normal n2R = normal_of(r.y2R, low2, m.x2R.value, per_length, both(inverse.error[0]), r.error);
-    take(n01.value(), 7, 8);
+    const lanes lowR2 = low_at_contact(r.yR2, r.t1);
+    const lane_normal n01 = normal_of(r.y01, low01, per_length, both(inverse.error[0]));
+    const lane_normal nR2 = normal_of(r.yR2, lowR2, per_length, both(inverse.error[0]));
+    const double turn = r.per_time * r.error;
+    const double error_of_n = 2.5 * turn + underflow;
+    take(bounded<lanes>{n01.high.value, n01.low, both(error_of_n)}, 7, 8);
 
-    const auto s = closing_speed(r, low01, low2);
+    const auto s = closing_speed(r, low01, lowR2);
     const auto per_radius = times(s, inverse.value[0], inverse.error[0]);
     const auto per_mass = times({2 * per_radius.value, 2 * per_radius.error}, inverse.value[1], inverse.error[1]);
     const lanes shares{mass_b, -mass_a};
     const auto product = two_product(both(per_mass.value), shares);
     const factor<lanes> phi = as_factor(product.value);
     const lanes phi_low = product.error + per_mass.error * shares;
-    const double spread = 0x1p-98 * r.sensitivity + 2 * r.per_time * r.error;
+    const lanes error = absolute(phi.value) * (0x1p-98 * r.sensitivity + 7 * turn) + underflow;
     const auto velocity = [&](const lanes& u, int i, int j, const lane_normal& n) {
-        return bounded_velocity(u, picked(phi, i, j), picked(phi_low, i, j), n, spread);
+        return bounded_velocity(u, picked(phi, i, j), picked(phi_low, i, j), n, picked(error, i, j));
     };
     take(velocity(first_two(a.velocity), 0, 0, n01), 10, 11);
     take(velocity(first_two(b.velocity), 1, 1, n01), 13, 14);
     if constexpr (N == 3) {
-        const lane_normal n2{picked(n2R.high, 0, 0), picked(n2R.low, 0, 0), picked(n2R.error, 0, 0)};
-        take(bounded<double>{n2.high.value[0], n2.low[0], n2.error[0] + underflow}, 9);
+        const lane_normal n2{picked(nR2.high, 1, 1), picked(nR2.low, 1, 1)};
+        take(bounded<double>{n2.high.value[0], n2.low[0], error_of_n}, 9);
         take(velocity(last_two(a.velocity, b.velocity), 0, 1, n2), 12, 15);
     }
     return true;
 }
 
-// Fills in the components that are certain and returns the others. The velocity of a ball of infinite mass is left
-// alone.
+// Fills in the components that are certain and returns the others. The velocity of a ball of infinite mass is its own.
 template <int N, class T>
 [[nodiscard]] inline parts fast_hit(contact<N, T>& c, const ball<N, T>& a, const ball<N, T>& b, double mass_a,
                                     double mass_b, double time) noexcept {
     constexpr parts every_part = N == 3 ? 0xffffU : 0x6db7U;
     constexpr parts of_velocity = 7;
-    parts certain = mass_a == 0   ? of_velocity << static_cast<int>(part::velocity_b)
-                    : mass_b == 0 ? of_velocity << static_cast<int>(part::velocity_a)
-                                  : 0;
-    contact<N, T> found;
+    parts certain = 0;
     const bool known = bound_hit(a, b, mass_a, mass_b, time, [&]<class V>(const bounded<V>& x, auto... numbers) {
         const ends<V> interval = ends_of<T>(x);
         if constexpr (sizeof...(numbers) == 1) {
-            component(found, numbers...) = static_cast<T>(interval.upper);
+            component(c, numbers...) = static_cast<T>(interval.upper);
             certain |= parts{agree<T>(interval)} << (numbers, ...);
         } else {
             const int number[2] = {numbers...};
-            component(found, number[0]) = static_cast<T>(interval.upper[0]);
-            component(found, number[1]) = static_cast<T>(interval.upper[1]);
+            component(c, number[0]) = static_cast<T>(interval.upper[0]);
+            component(c, number[1]) = static_cast<T>(interval.upper[1]);
             const unsigned two = agreeing<T>(interval);
             certain |= (two & 1U) << number[0] | (two >> 1) << number[1];
         }
     });
-    if (!known) {
-        return every_part & ~certain;
+    if (mass_a == 0) [[unlikely]] {
+        c.velocity_b = b.velocity;
+        certain |= of_velocity << static_cast<int>(part::velocity_b);
     }
-    if (mass_b == 0) {
-        found.velocity_a = c.velocity_a;
+    if (mass_b == 0) [[unlikely]] {
+        c.velocity_a = a.velocity;
+        certain |= of_velocity << static_cast<int>(part::velocity_a);
     }
-    if (mass_a == 0) {
-        found.velocity_b = c.velocity_b;
-    }
-    c = found;
     const parts open_parts = every_part & ~certain;
-    return open_parts == 0 ? 0 : fast_hit_at_rest(open_parts, c, a, b);
+    return !known || open_parts == 0 ? open_parts : fast_hit_at_rest(open_parts, c, a, b);
 }
 
 } // namespace graze::detail

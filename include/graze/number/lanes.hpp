@@ -1,16 +1,39 @@
 // Two doubles side by side, worked on together where the machine can.
 #pragma once
 
+#include <cmath>
+
 namespace graze::detail {
 
-// GNU's vector extension, which g++ and clang have on every target: arithmetic goes lane by lane.
+#if defined(__GNUC__) && (defined(__SSE2__) || !defined(__i386__))
+// GNU's vector extension: operators go lane by lane, on targets without such registers as well.
 typedef double lanes __attribute__((vector_size(16)));
+#else
+struct lanes {
+    double lane[2];
+
+    [[nodiscard]] constexpr double operator[](int i) const noexcept { return lane[i]; }
+    [[nodiscard]] friend constexpr lanes operator-(const lanes& x) noexcept { return {-x[0], -x[1]}; }
+    [[nodiscard]] friend constexpr lanes operator+(const lanes& x, const lanes& y) noexcept {
+        return {x[0] + y[0], x[1] + y[1]};
+    }
+    [[nodiscard]] friend constexpr lanes operator-(const lanes& x, const lanes& y) noexcept { return x + -y; }
+    [[nodiscard]] friend constexpr lanes operator*(const lanes& x, const lanes& y) noexcept {
+        return {x[0] * y[0], x[1] * y[1]};
+    }
+    [[nodiscard]] friend constexpr lanes operator*(double x, const lanes& y) noexcept { return lanes{x, x} * y; }
+    [[nodiscard]] friend constexpr lanes operator*(const lanes& x, double y) noexcept { return y * x; }
+    [[nodiscard]] friend constexpr lanes operator+(const lanes& x, double y) noexcept { return x + lanes{y, y}; }
+    [[nodiscard]] friend constexpr lanes operator-(double x, const lanes& y) noexcept { return lanes{x, x} - y; }
+    [[nodiscard]] friend constexpr lanes operator/(double x, const lanes& y) noexcept { return {x / y[0], x / y[1]}; }
+};
+#endif
 
 [[nodiscard, gnu::always_inline]] inline lanes both(double x) noexcept { return lanes{x, x}; }
 
+[[nodiscard, gnu::always_inline]] inline double absolute(double x) noexcept { return std::fabs(x); }
 [[nodiscard, gnu::always_inline]] inline lanes absolute(const lanes& x) noexcept {
-    return lanes{__builtin_fabs(x[0]), __builtin_fabs(x[1])};
+    return lanes{std::fabs(x[0]), std::fabs(x[1])};
 }
-[[nodiscard, gnu::always_inline]] inline double absolute(double x) noexcept { return __builtin_fabs(x); }
 
 } // namespace graze::detail

@@ -14,9 +14,9 @@
 
 namespace graze::detail {
 
-// Δx and, in the last lane, R; Δu. Each is value + error, exactly: |error| <= u |value|.
+// Δx with R in a lane of its own; Δu. Each is value + error, exactly: |error| <= u |value|.
 struct lane_motion {
-    exact_pair<lanes> x01, x2R, u01, u2;
+    exact_pair<lanes> x01, xR2, u01, u_2;
 };
 
 template <int N, class T>
@@ -25,10 +25,10 @@ template <int N, class T>
     const auto third = [&](const vec<N, T>& x) { return N == 3 ? at(x, N - 1) : 0.0; };
     lane_motion m;
     m.x01 = two_difference(lanes{at(a.position, 0), at(a.position, 1)}, lanes{at(b.position, 0), at(b.position, 1)});
-    m.x2R = two_difference(lanes{third(a.position), static_cast<double>(a.radius)},
-                           lanes{third(b.position), -static_cast<double>(b.radius)});
+    m.xR2 = two_difference(lanes{static_cast<double>(a.radius), third(a.position)},
+                           lanes{-static_cast<double>(b.radius), third(b.position)});
     m.u01 = two_difference(lanes{at(a.velocity, 0), at(a.velocity, 1)}, lanes{at(b.velocity, 0), at(b.velocity, 1)});
-    m.u2 = two_difference(lanes{third(a.velocity), 0}, lanes{third(b.velocity), 0});
+    m.u_2 = two_difference(lanes{0, third(a.velocity)}, lanes{0, third(b.velocity)});
     return m;
 }
 
@@ -54,7 +54,7 @@ displacement(const exact_pair<lanes>& dx, const exact_pair<lanes>& du, const fac
 struct fast_approach {
     lane_motion motion;
     factor<lanes> t0;
-    lane_displacement y01, y2R; // at t0
+    lane_displacement y01, yR2; // at t0
     double t1;
     double error;
     double sensitivity; // γ >= (L V/σ)²
@@ -84,26 +84,25 @@ struct fast_approach {
     r.motion = m;
     r.t0 = as_factor(both(time));
     r.y01 = displacement(m.x01, m.u01, r.t0);
-    r.y2R = displacement(m.x2R, m.u2, r.t0);
+    r.yR2 = displacement(m.xR2, m.u_2, r.t0);
+    const auto square01 = two_square(r.y01.high);
+    const auto squareR2 = two_square(r.yR2.high);
     const auto low_terms = [](const lane_displacement& y, const exact_pair<lanes>& square) {
         return lanes(square.error + y.low * (y.high.value + y.high.value + y.low));
     };
-    const auto square01 = two_square(r.y01.high);
-    const auto square2R = two_square(r.y2R.high);
-    const lanes low01 = low_terms(r.y01, square01);
-    const lanes low2R = low_terms(r.y2R, square2R);
-    const auto plane_sum = two_sum(square01.value[0], square01.value[1]);
-    const auto sum = two_sum(plane_sum.value, square2R.value[0]);
-    const double low = (plane_sum.error + sum.error) + ((low01[0] + low01[1]) + (low2R[0] - low2R[1]));
-    const double residual = settled(settled(sum.value - square2R.value[1]) + low);
+    const lanes less_R{-1, 1};
+    const auto sum = two_sum(square01.value, less_R * squareR2.value);
+    const lanes low = sum.error + (low_terms(r.y01, square01) + less_R * low_terms(r.yR2, squareR2));
+    const double residual = settled(settled(sum.value[0] + sum.value[1]) + (low[0] + low[1]));
 
     const lanes along01 = r.y01.high.value * m.u01.value;
-    const double sigma = -(along01[0] + along01[1] + r.y2R.high.value[0] * m.u2.value[0]);
+    const double sigma = -(along01[0] + along01[1] + r.yR2.high.value[1] * m.u_2.value[1]);
     const lanes v01 = m.u01.value * m.u01.value;
-    const double speed2 = v01[0] + v01[1] + m.u2.value[0] * m.u2.value[0];
+    const double speed2 = v01[0] + v01[1] + m.u_2.value[1] * m.u_2.value[1];
     const lanes x01 = m.x01.value * m.x01.value;
-    const lanes x2R = m.x2R.value * m.x2R.value;
-    const double length2 = (x01[0] + x01[1]) + (x2R[0] + x2R[1]);
+    const lanes xR2 = m.xR2.value * m.xR2.value;
+    const lanes sum2 = x01 + xR2;
+    const double length2 = sum2[0] + sum2[1];
     const double inverse = 1 / sigma;
     r.t1 = settled(0.5 * residual * inverse);
     r.sensitivity = (speed2 * inverse) * (length2 * inverse);
