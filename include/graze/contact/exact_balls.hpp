@@ -23,11 +23,11 @@ struct scales {
 };
 
 // A path until the smaller root τ of a t² + 2 h t + c.
-template <class T, class A, class H, class D>
+template <class T, class Z, class A, class H>
 struct exact_path {
     A a;
     H h;
-    radicand<D> discriminant;
+    radicand<Z> discriminant;
     scales units;
 
     [[nodiscard]] constexpr T time() const { return round_root<T>(a, h, discriminant, units.time()); }
@@ -38,20 +38,21 @@ struct exact_path {
         return round_to<T>(a * x - h * u, -u, discriminant, a, units.length);
     }
 };
-template <class T, class A, class H, class D>
+template <class T, class Z, class A, class H, class D>
 [[nodiscard]] constexpr auto path_until(const A& a, const H& h, const D& discriminant, scales units) {
-    return exact_path<T, A, H, D>{a, h, radicand<D>(discriminant), units};
+    return exact_path<T, Z, A, H>{a, h, radicand<Z>(discriminant), units};
 }
 
 // Two centres that approach until their distance is m.R.
 template <class T, class M>
 class exact_approach {
-    using path_type = decltype(path_until<T>(coefficient_a{}(std::declval<M>()), coefficient_h{}(std::declval<M>()),
-                                             discriminant_lagrange{}(std::declval<M>()), scales{}));
+    using Z = surd_integer_for<M>;
+    using path_type = decltype(path_until<T, Z>(coefficient_a{}(std::declval<M>()), coefficient_h{}(std::declval<M>()),
+                                                Z(), scales{}));
 
   public:
     constexpr exact_approach(const M& m, scales units)
-        : path(path_until<T>(coefficient_a{}(m), coefficient_h{}(m), discriminant_lagrange{}(m), units)), m_(m) {}
+        : path(path_until<T, Z>(coefficient_a{}(m), coefficient_h{}(m), discriminant_lagrange{}(m), units)), m_(m) {}
 
     path_type path;
 
@@ -63,8 +64,9 @@ class exact_approach {
     template <class I, class S, class W>
     [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
         const auto r = sum * (path.a * (m_.R * m_.R));
-        return round_to<T>(r * u - share * (path.discriminant.value * m_.du[i]), share * across_[i], path.discriminant,
-                           r, path.units.velocity);
+        const auto d = discriminant_lagrange{}(m_);
+        return round_to<T>(r * u - share * (d * m_.du[i]), share * across_[i], path.discriminant, r,
+                           path.units.velocity);
     }
 
   private:
@@ -76,24 +78,27 @@ class exact_approach {
 // Two centres inside each other and getting deeper: along the line between them, now.
 template <class T, class M>
 class exact_overlap {
+    using Z = surd_integer_for<M>;
+
   public:
     constexpr exact_overlap(const M& m, scales units) : m_(m), units_(units) {}
 
     [[nodiscard]] constexpr T normal(int i) const {
-        return round_to<T>(integer<1>(0), m_.dx[i], square_, square_.value, 0);
+        const radicand<Z> root(square_);
+        return round_to<T>(Z(0), m_.dx[i], root, square_, 0);
     }
 
     template <class I, class S, class W>
     [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
-        const auto r = sum * square_.value;
-        return round_to<T>(r * u - share * (h_ * m_.dx[i]), r, units_.velocity);
+        const auto r = sum * square_;
+        return round_to<T>(r * u - share * (h_ * m_.dx[i]), Z(0), radicand<Z>(), r, units_.velocity);
     }
 
   private:
     const M& m_;
     scales units_;
     decltype(coefficient_h{}(std::declval<M>())) h_ = coefficient_h{}(m_);
-    radicand<decltype(graze::squared_norm(std::declval<M>().dx))> square_{graze::squared_norm(m_.dx)};
+    decltype(graze::squared_norm(std::declval<M>().dx)) square_ = graze::squared_norm(m_.dx);
 };
 
 // Two balls in integers, with their masses; (1, 0) where the first one is infinite.

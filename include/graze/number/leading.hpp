@@ -38,18 +38,22 @@ inline constexpr std::uint64_t no_bits = ~std::uint64_t{0}; // the error of what
     return {high << zeros | below, 1 + (error >> (64 - zeros - 1) >> 1), exponent + 64 - zeros, negative};
 }
 
+// |x| of a negative x is one more than its complement.
 template <int Bits>
 [[nodiscard]] constexpr leading leading_of(const integer<Bits>& x) noexcept {
     const bool negative = x.is_negative();
-    const integer<Bits> magnitude = negative ? -x : x;
+    const std::uint64_t flip = negative ? ~std::uint64_t{0} : 0;
     int top = integer<Bits>::limbs - 1;
-    while (top > 0 && magnitude.limb(top) == 0) {
+    while (top > 0 && x.limb(top) == flip) {
         --top;
     }
-    if (top == 0) {
-        return magnitude.limb(0) == 0 ? leading{} : leading_of_words(0, magnitude.limb(0), 0, negative, 0);
+    if (top > 0) {
+        return leading_of_words(x.limb(top) ^ flip, x.limb(top - 1) ^ flip, 64 * (top - 1), negative, negative ? 1 : 0);
     }
-    return leading_of_words(magnitude.limb(top), magnitude.limb(top - 1), 64 * (top - 1), negative, 0);
+    const std::uint64_t magnitude = (x.limb(0) ^ flip) - flip;
+    return magnitude != 0 ? leading_of_words(0, magnitude, 0, negative, 0)
+           : negative     ? leading{std::uint64_t{1} << 63, 0, 1, true}
+                          : leading{};
 }
 
 // The highest digit may be ±1 and the next one of the other sign, so that the three highest together give 64 bits; all

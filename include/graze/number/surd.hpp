@@ -12,33 +12,46 @@
 #include <graze/number/sqrt_extension.hpp>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace graze {
 
 namespace detail {
 
-// What the integers of a surd are converted to for the exact sign, so that few types are compiled: up to 1152 bits
-// hold all components of pairs whose inputs fit two limbs, 19456 those of any pair.
-inline constexpr int near_surd_width = 1152;
-inline constexpr int widest_surd = 19456;
+template <class I>
+struct surd_integers;
+template <int Bits>
+struct surd_integers<integer<Bits>> {
+    static_assert(Bits <= 128);
+    using type = integer<Bits <= 64 ? 576 : 1152>;
+};
+template <int Bits>
+struct surd_integers<sparse_integer<Bits>> {
+    static_assert(Bits <= 2112);
+    using type = sparse_integer<19456>;
+};
+
+} // namespace detail
+
+// What holds p, q, d and r where a pair's lengths and velocities are of type I: their formulas have up to nine factors
+// (an edge's velocities). One type for all of them keeps programs small.
+template <class I>
+using surd_integer = typename detail::surd_integers<I>::type;
+
+namespace detail {
 
 // The largest scale of a value, 2^2098 for times (lengths up to 2^1023 over velocities from 2^-1074 on), over the
 // lowest half bit of doubles, 2^-1075; and the reverse, which is less.
 inline constexpr int largest_shift = 2098 + 1075 + 1;
 
-template <int W>
-struct common_surd {
-    sparse_integer<W> p, q, d, r;
-};
-
-template <int W, int Bits>
-[[nodiscard]] constexpr sparse_integer<W> to_sparse(const sparse_integer<Bits>& x) noexcept {
+template <int Bits>
+[[nodiscard]] constexpr const sparse_integer<Bits>& to_sparse(const sparse_integer<Bits>& x) noexcept {
     return x;
 }
 // Balanced digits, one more than limbs where the highest one carries.
-template <int W, int Bits>
-[[nodiscard]] constexpr sparse_integer<W> to_sparse(const integer<Bits>& x) noexcept {
-    sparse_integer<W> r;
+template <int Bits>
+[[nodiscard]] constexpr sparse_integer<Bits> to_sparse(const integer<Bits>& x) noexcept {
+    sparse_integer<Bits> r;
     std::uint64_t carry = 0;
     for (int i = 0; i <= integer<Bits>::limbs; ++i) {
         const std::uint64_t limb = x.limb(i) + carry;
@@ -49,24 +62,16 @@ template <int W, int Bits>
 }
 
 // The sign of |p + q√d| 2^scale - m r 2^exponent, for p + q√d of the sign given.
-template <int W>
-[[nodiscard]] constexpr int against_boundary(const common_surd<W>& x, bool negative, int scale, std::uint64_t m,
-                                             int exponent) {
+template <int Bits>
+[[nodiscard]] constexpr int against_boundary(const sparse_integer<Bits>& p, const sparse_integer<Bits>& q,
+                                             const sparse_integer<Bits>& d, const sparse_integer<Bits>& r,
+                                             bool negative, int scale, std::uint64_t m, int exponent) {
     using power = sparse_integer<largest_shift + 56>;
     const int up = scale - exponent;
     const auto unit = power::from_shifted(negative ? -1 : 1, up > 0 ? up : 0);
     const auto boundary = power::from_shifted(static_cast<std::int64_t>(m), up < 0 ? -up : 0);
-    return sign_of_root_sum(x.p * unit - x.r * boundary, x.q * unit, x.d);
+    return sign_of_root_sum(p * unit - r * boundary, q * unit, d);
 }
-
-// √d with its estimate, for all components of one pair.
-template <class D>
-struct radicand {
-    D value;
-    leading root;
-
-    constexpr explicit radicand(const D& d) noexcept : value(d), root(square_root(leading_of(d))) {}
-};
 
 // The error up to which an estimate serves T: with it, a quotient and 4 bits more, no two boundaries of T, which are
 // 2^(63 - digits) units apart, come into question.
@@ -107,33 +112,38 @@ template <class T, class Against>
 }
 
 // p + q√d where p and q√d cancel: (p² - q²d)/(p - q√d), the sum of whose denominator does not.
-template <int W>
-[[nodiscard]] constexpr leading estimate_by_norm(const common_surd<W>& x, leading p, leading root_term) {
-    leading norm = leading_of(x.p * x.p - x.q * x.q * x.d);
-    norm.negative = norm.negative != p.negative;
-    p.negative = root_term.negative = false;
-    return norm / (p + root_term);
+template <int Bits>
+[[nodiscard]] constexpr leading estimate_by_norm(const sparse_integer<Bits>& p, const sparse_integer<Bits>& q,
+                                                 const sparse_integer<Bits>& d, leading first, leading second) {
+    leading norm = leading_of(p * p - q * q * d);
+    norm.negative = norm.negative != first.negative;
+    first.negative = second.negative = false;
+    return norm / (first + second);
 }
 
 } // namespace detail
 
-// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, |scale| <= 2098, all of them integers of known width. An
-// exact zero gives +0.
-template <class T, class P, class Q, class D, class R>
-[[nodiscard]] constexpr T round_to(const P& p, const Q& q, const detail::radicand<D>& d, const R& r, int scale,
-                                   rounding mode = rounding::nearest) {
-    constexpr int needed = std::max({P::bits, Q::bits, D::bits, R::bits});
-    constexpr int width = needed <= detail::near_surd_width ? detail::near_surd_width : detail::widest_surd;
-    static_assert(needed <= detail::widest_surd);
-    const auto common = [&] {
-        return detail::common_surd<width>{detail::to_sparse<width>(p), detail::to_sparse<width>(q),
-                                          detail::to_sparse<width>(d.value), detail::to_sparse<width>(r)};
-    };
+// d >= 0 with an estimate of its root, for all numbers of one Q(√d). Z: a surd_integer.
+template <class Z>
+struct radicand {
+    Z value;
+    detail::leading root;
+
+    constexpr radicand() noexcept : value(0) {} // for rational numbers
+    constexpr explicit radicand(const Z& d) noexcept : value(d), root(detail::square_root(detail::leading_of(value))) {}
+};
+
+// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, |scale| <= 2098. An exact zero gives +0.
+template <class T, class Z>
+[[nodiscard, gnu::noinline]] constexpr T round_to(const std::type_identity_t<Z>& p, const std::type_identity_t<Z>& q,
+                                                  const radicand<Z>& d, const std::type_identity_t<Z>& r, int scale,
+                                                  rounding mode = rounding::nearest) {
     const detail::leading first = detail::leading_of(p);
     const detail::leading second = detail::leading_of(q) * d.root;
     detail::leading value = first + second;
     if (!value.is_within(detail::largest_error<T>)) {
-        value = detail::estimate_by_norm(common(), first, second);
+        value = detail::estimate_by_norm(detail::to_sparse(p), detail::to_sparse(q), detail::to_sparse(d.value), first,
+                                         second);
     }
     if (value.significand == 0) {
         return detail::from_bits<T>(0, false);
@@ -141,14 +151,9 @@ template <class T, class P, class Q, class D, class R>
     value = value / detail::leading_of(r);
     value.exponent += scale;
     return detail::round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
-        return detail::against_boundary(common(), value.negative, scale, m, exponent);
+        return detail::against_boundary(detail::to_sparse(p), detail::to_sparse(q), detail::to_sparse(d.value),
+                                        detail::to_sparse(r), value.negative, scale, m, exponent);
     });
-}
-
-// The same of p/r.
-template <class T, class P, class R>
-[[nodiscard]] constexpr T round_to(const P& p, const R& r, int scale, rounding mode = rounding::nearest) {
-    return round_to<T>(p, P(0), detail::radicand<R>(R(0)), r, scale, mode);
 }
 
 } // namespace graze

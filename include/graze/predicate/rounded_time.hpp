@@ -7,21 +7,33 @@
 
 namespace graze::detail {
 
+// What the surds of a motion in integers are made of.
+template <class M>
+[[nodiscard]] constexpr auto surd_integer_of(const M& m) noexcept {
+    if constexpr (requires { m.R; }) {
+        return surd_integer<std::remove_cvref_t<decltype(m.R)>>();
+    } else {
+        return surd_integer<std::remove_cvref_t<decltype(m.r)>>();
+    }
+}
+template <class M>
+using surd_integer_for = decltype(surd_integer_of(std::declval<M>()));
+
 // The smaller root (-h - √D)/a of a quadratic with a > 0, in units of 2^unit.
-template <class T, class A, class H, class D>
-[[nodiscard]] constexpr T round_root(const A& a, const H& h, const radicand<D>& discriminant, int unit,
+template <class T, class Z, class A, class H>
+[[nodiscard]] constexpr T round_root(const A& a, const H& h, const radicand<Z>& discriminant, int unit,
                                      rounding mode = rounding::nearest) {
-    return round_to<T>(-h, integer<1>(-1), discriminant, a, unit, mode);
+    return round_to<T>(-h, Z(-1), discriminant, a, unit, mode);
 }
 
 // When a ball that approaches a plane touches it, (33) completed: (|w·n| - r √(n·n))/|u·n|.
-template <class T, class M, class NN>
-[[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<NN>& normal, int unit,
+template <class T, class Z, class M>
+[[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<Z>& normal, int unit,
                                            rounding mode = rounding::nearest) {
     const auto height = plane_height{}(m);
     const auto speed = plane_speed{}(m); // of the other sign
-    return graze::sign(height) < 0 ? round_to<T>(-height, -m.r, normal, speed, unit, mode)
-                                   : round_to<T>(height, -m.r, normal, -speed, unit, mode);
+    const bool below = graze::sign(height) < 0;
+    return round_to<T>(below ? -height : height, -m.r, normal, below ? speed : -speed, unit, mode);
 }
 
 // The time of an event, from its inputs.
@@ -34,8 +46,9 @@ template <class T, int N, class U>
         const auto inputs = lift_row<P>(e.row);
         const int unit = inputs.length.exponent - inputs.velocity.exponent;
         return with_exact_motion<P>(inputs, [&](const auto& m) {
+            using Z = surd_integer_for<decltype(m)>;
             const auto from_plane = [&](const auto& face) {
-                return round_plane_time<T>(face, radicand(graze::squared_norm(face.n)), unit, mode);
+                return round_plane_time<T>(face, radicand<Z>(graze::squared_norm(face.n)), unit, mode);
             };
             if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
                 return from_plane(m);
@@ -46,7 +59,7 @@ template <class T, int N, class U>
                     }
                 }
                 return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) {
-                    return round_root<T>(q.a, q.h, radicand(discriminant_halved{}(q)), unit, mode);
+                    return round_root<T>(q.a, q.h, radicand<Z>(discriminant_halved{}(q)), unit, mode);
                 });
             }
         });

@@ -1,0 +1,97 @@
+// When, where and how a ball meets a plane or a wall and leaves it, every number correctly rounded.
+#pragma once
+
+#include <graze/contact/round_walls.hpp>
+#include <graze/predicate/classify_walls.hpp>
+
+#include <concepts>
+#include <optional>
+
+namespace graze {
+
+namespace detail {
+
+// A pair kind's motion in integers, and where the ball is.
+template <class P>
+struct placed {
+    template <class I, class Inputs>
+    [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
+        struct {
+            decltype(P::template motion<I>(in)) relative;
+            vec<static_cast<int>(P::n), I> position;
+        } r{P::template motion<I>(in), make_vec<static_cast<int>(P::n)>(
+                                           [&](int i) { return in.length.template get<I>(static_cast<unsigned>(i)); })};
+        return r;
+    }
+};
+
+// Rounds the wanted components of a ball's contact with a plane or a wall that it meets, by integers.
+template <class P, int N, class T, class Shape>
+[[gnu::noinline]] constexpr void complete(P, wall_contact<N, T>& c, parts wanted, encounter what, int index,
+                                          const ball<N, T>& b, const Shape& shape) {
+    const auto in = lift_row<P>(packed<P>(b, shape));
+    const scales units{in.length.exponent, in.velocity.exponent};
+    with_exact_motion<placed<P>>(in, [&](const auto& pair) {
+        if constexpr (requires { shape.edge; }) {
+            if (c.where == feature::face) {
+                round_face(c, wanted, what, face_of(pair.relative), pair.position, units);
+                return;
+            }
+            if constexpr (N == 3) {
+                if (c.where == feature::edge) {
+                    round_edge(c, wanted, what, seen_from(pair.relative, edge_view(index)), pair.position, units);
+                    return;
+                }
+            }
+            round_corner(c, wanted, what, seen_from(pair.relative, wall_view{index, false}), pair.position, units);
+        } else {
+            round_face(c, wanted, what, pair.relative, pair.position, units);
+        }
+    });
+}
+
+// The contact of a ball for which it has been decided what becomes of it.
+template <class P, int N, class T, class Shape>
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>> contact_of(P pair, const wall_encounter& found,
+                                                                     const ball<N, T>& b, const Shape& shape) {
+    if (!is_collision(found.what)) {
+        return std::nullopt;
+    }
+    std::optional<wall_contact<N, T>> c(std::in_place);
+    c->where = found.where;
+    c->velocity = b.velocity;
+    if (found.what == encounter::overlap) {
+        c->position = with_plain_zeros(b.position);
+    }
+    complete(pair, *c, all_parts, found.what, found.index, b, shape);
+    return c;
+}
+
+} // namespace detail
+
+// The contact of a ball and an infinite plane, every component correctly rounded; empty when it recedes. The ball's
+// mass has no part in it. Throws as classify does. The observer is told `exact` if integers were needed for the
+// decision or any component.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const ball<N, T>& b, const plane<N, T>& p,
+                                                                  Observer&& observer = {}) {
+    auto decided_by = stage::filter;
+    const encounter what = classify(b, p, [&](stage s) { decided_by = s; });
+    observer(is_collision(what) ? stage::exact : decided_by);
+    return detail::contact_of(detail::ball_and_plane<N>{}, {what, feature::face, 0}, b, p);
+}
+
+// The contact of a ball and a wall, at its face, an edge or a corner, whichever is met first; empty for recede and
+// miss.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const ball<N, T>& b, const wall<N, T>& w,
+                                                                  Observer&& observer = {}) {
+    auto decided_by = stage::filter;
+    const wall_encounter found = detail::decide_wall(b, w, [&](stage s) { decided_by = s; });
+    observer(is_collision(found.what) ? stage::exact : decided_by);
+    return detail::contact_of(detail::ball_and_wall<N>{}, found, b, w);
+}
+
+} // namespace graze
