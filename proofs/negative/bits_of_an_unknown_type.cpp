@@ -1,0 +1,11 @@
+// Asking whether a type is exact of which nothing is known.
+// expect: exact_bits: neither a built-in type nor one that number_traits describes
+#include <graze/formula/exact_in.hpp>
+
+struct unknown {};
+#ifdef REPAIRED
+using number = double;
+#else
+using number = unknown;
+#endif
+constexpr bool exact = graze::exact_in<number, 2>(graze::grid{.length = 10, .velocity = 10});

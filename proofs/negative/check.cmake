@@ -1,0 +1,18 @@
+# cmake -D COMPILER=... -D INCLUDE=... -D SOURCE=... -P check.cmake: the source compiles when it is REPAIRED, and as it
+# stands it does not, for its own reason: the compiler says what matches the regular expression of its line `// expect:`.
+cmake_policy(VERSION 3.25)
+set(ENV{LC_ALL} C)
+file(STRINGS "${SOURCE}" expected REGEX "^// expect: ")
+string(REGEX REPLACE "^// expect: " "" expected "${expected}")
+set(command "${COMPILER}" -std=c++20 -fsyntax-only "-I${INCLUDE}")
+execute_process(COMMAND ${command} -DREPAIRED "${SOURCE}" RESULT_VARIABLE result ERROR_VARIABLE said)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "does not compile when repaired:\n${said}")
+endif()
+execute_process(COMMAND ${command} "${SOURCE}" RESULT_VARIABLE result ERROR_VARIABLE said)
+if(result EQUAL 0)
+    message(FATAL_ERROR "compiles")
+endif()
+if(expected STREQUAL "" OR NOT said MATCHES "${expected}")
+    message(FATAL_ERROR "does not compile, but not for lack of what it should: nothing matches '${expected}' in\n${said}")
+endif()

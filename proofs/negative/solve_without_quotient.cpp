@@ -1,0 +1,17 @@
+// A number type that lacks what a formula needs: τ is a quotient, and integers have none.
+// expect: field_number
+#include <graze/formula/solve.hpp>
+#include <graze/number/floating.hpp>
+#include <graze/number/integer.hpp>
+
+#ifdef REPAIRED
+using number = double;
+#else
+using number = graze::integer<20>;
+#endif
+template <class T>
+auto solved() {
+    const graze::ball<2, T> b{{{T(0), T(0)}}, {{T(1), T(0)}}, T(1)};
+    return graze::solve(b, b);
+}
+auto s = solved<number>();
