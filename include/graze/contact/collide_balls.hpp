@@ -2,8 +2,10 @@
 #pragma once
 
 #include <graze/contact/exact_balls.hpp>
+#include <graze/contact/fast_contact.hpp>
 #include <graze/predicate/classify_balls.hpp>
 
+#include <cmath>
 #include <concepts>
 #include <optional>
 
@@ -63,45 +65,75 @@ constexpr void check_masses(const T& a, const T& b) {
     }
 }
 
-// Rounds the wanted components of the contact of two balls that meet, by integers.
+// The mass as the formulas take it: 1 for an infinite one, and 0 beside it.
+template <class U, class T>
+[[nodiscard]] constexpr U effective_mass(const T& mass, const T& other) noexcept {
+    return is_infinite_mass(mass) ? U(1) : is_infinite_mass(other) ? U(0) : static_cast<U>(mass);
+}
+
+// Rounds the wanted components of the contact of two balls that meet, by
+// integers.
 template <int N, class T>
 [[gnu::noinline]] constexpr void complete(contact<N, T>& c, parts wanted, encounter what, const ball<N, T>& a,
                                           const ball<N, T>& b) {
     typename two_massive_balls<N>::inputs in{lift_row<two_balls<N>>(packed<two_balls<N>>(a, b)), {}};
-    const bool heavy_a = is_infinite_mass(a.mass);
-    const bool heavy_b = is_infinite_mass(b.mass);
-    const T masses[2] = {heavy_a ? T(1) : heavy_b ? T(0) : a.mass, heavy_b ? T(1) : heavy_a ? T(0) : b.mass};
+    const T masses[2] = {effective_mass<T>(a.mass, b.mass), effective_mass<T>(b.mass, a.mass)};
     lift(in.mass, masses);
     const scales s{in.pair.length.exponent, in.pair.velocity.exponent};
     with_exact_motion<two_massive_balls<N>>(in, [&](const auto& e) { round_balls(c, wanted, what, e, s); });
 }
 
-} // namespace detail
-
-// The contact of two balls, every component correctly rounded; empty for recede and miss. Throws as classify does, and
-// when a mass is not positive or both are infinite. The observer is told `exact` if integers were needed for the
-// decision or any component.
-template <int N, std::floating_point T, class Observer = ignore_stage>
-requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<contact<N, T>> collide(const ball<N, T>& a, const ball<N, T>& b,
-                                                             Observer&& observer = {}) {
-    auto decided_by = stage::filter;
-    const encounter what = classify(a, b, [&](stage s) { decided_by = s; });
-    detail::check_masses(a.mass, b.mass);
+// The contact of two balls of which it has been decided what becomes of them;
+// f: what the filter knows of them.
+template <int N, class T, class Observer>
+[[nodiscard]] constexpr std::optional<contact<N, T>> contact_of(encounter what, stage decided_by,
+                                                                const filtered_balls& f, const ball<N, T>& a,
+                                                                const ball<N, T>& b, Observer&& observer) {
+    check_masses(a.mass, b.mass);
     if (!is_collision(what)) {
         observer(decided_by);
         return std::nullopt;
     }
     std::optional<contact<N, T>> c(std::in_place);
-    c->velocity_a = a.velocity;
-    c->velocity_b = b.velocity;
-    if (what == encounter::overlap) {
-        c->position_a = detail::with_plain_zeros(a.position);
-        c->position_b = detail::with_plain_zeros(b.position);
+    parts wanted = all_parts;
+    if constexpr (has_error_free_doubles) {
+        if (what == encounter::hit && f.certain && rounds_to_nearest()) [[likely]] {
+            wanted = fast_hit(*c, a, b, effective_mass<double>(a.mass, b.mass), effective_mass<double>(b.mass, a.mass),
+                              root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
+        }
     }
-    detail::complete(*c, detail::all_parts, what, a, b);
-    observer(stage::exact);
+    if (wanted == all_parts) {
+        c->velocity_a = a.velocity;
+        c->velocity_b = b.velocity;
+        if (what == encounter::overlap) {
+            c->position_a = with_plain_zeros(a.position);
+            c->position_b = with_plain_zeros(b.position);
+        }
+    }
+    if (wanted != 0) {
+        complete(*c, wanted, what, a, b);
+    }
+    observer(wanted != 0 ? stage::exact : decided_by);
     return c;
+}
+
+} // namespace detail
+
+// The contact of two balls, every component correctly rounded; empty for recede
+// and miss. Throws as classify does, and when a mass is not positive or both
+// are infinite. The observer is told `exact` if integers were needed for the
+// decision or any component.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<contact<N, T>> collide(const ball<N, T>& a, const ball<N, T>& b,
+                                                             Observer&& observer = {}) {
+    if (!std::is_constant_evaluated()) {
+        if (const auto f = detail::filter_balls(a, b); f.certain) [[likely]] {
+            return detail::contact_of(f.what(), stage::filter, f, a, b, observer);
+        }
+    }
+    const encounter what = detail::with_exact_balls(a, b, detail::exact_encounter{});
+    return detail::contact_of(what, stage::exact, {}, a, b, observer);
 }
 
 } // namespace graze
