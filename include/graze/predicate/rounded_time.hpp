@@ -4,6 +4,7 @@
 #include <graze/number/surd.hpp>
 #include <graze/predicate/enclosure.hpp>
 #include <graze/predicate/event.hpp>
+#include <graze/predicate/fast_time.hpp>
 
 namespace graze::detail {
 
@@ -89,6 +90,11 @@ template <class T, int N, class U>
         const T low = round_double<T>(bounds.lower, mode);
         if (bits_of(low) == bits_of(round_double<T>(bounds.upper, mode))) {
             return low;
+        }
+    }
+    if (!std::is_constant_evaluated()) {
+        if (const auto fast = round_fast<T>(e, 0.5 * (bounds.lower + bounds.upper), mode)) {
+            return *fast;
         }
     }
     return round_exactly<T>(e, mode);

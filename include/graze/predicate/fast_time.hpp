@@ -1,0 +1,54 @@
+// The time of two balls rounded by doubles alone, where that leaves no doubt.
+#pragma once
+
+#include <graze/number/rounding.hpp>
+#include <graze/predicate/event.hpp>
+#include <graze/predicate/fast_approach.hpp>
+
+#include <optional>
+#include <type_traits>
+
+namespace graze::detail {
+
+// A positive number rounded to nearest, downward or upward; empty where its bounds leave a doubt, which for directed
+// modes they always do of floats.
+template <class T>
+[[nodiscard]] inline std::optional<T> rounded_without_doubt(const bounded<double>& x, rounding mode) noexcept {
+    if (mode == rounding::nearest) {
+        const ends<double> interval = ends_of<T>(x);
+        return agree<T>(interval) ? std::optional<T>(static_cast<T>(interval.upper)) : std::nullopt;
+    }
+    if constexpr (std::is_same_v<T, double>) {
+        // The number is r + rest ± error, r the nearest double: on the side of r that the sign of rest tells.
+        const auto [r, rest] = two_sum(x.high, x.low);
+        if (r > 0x1p-900 && absolute(rest) > x.error) {
+            const std::uint64_t bits = bits_of(r);
+            const bool above = rest > 0;
+            return mode == rounding::downward ? std::bit_cast<double>(above ? bits : bits - 1)
+                                              : std::bit_cast<double>(above ? bits + 1 : bits);
+        }
+    }
+    return std::nullopt;
+}
+
+// time: near that of the event, which is not an overlap. The inputs are doubles or numbers that doubles hold exactly.
+template <class T, int N, class U>
+[[nodiscard]] inline std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
+    if constexpr (has_error_free_doubles && !std::is_same_v<U, std::int64_t>) {
+        if (e.kind == event_kind::balls && rounds_to_nearest()) {
+            const auto vector = [&](std::size_t from) {
+                return make_vec<N>([&](int i) { return e.row[from + static_cast<std::size_t>(i)]; });
+            };
+            using pair = two_balls<N>;
+            const ball<N, U> a{vector(0), vector(pair::lengths), e.row[2 * N]};
+            const ball<N, U> b{vector(N), vector(pair::lengths + N), e.row[2 * N + 1]};
+            const fast_approach r = approach_near(lane_motion_of(a, b), time);
+            if (r.good) {
+                return rounded_without_doubt<T>(r.time(), mode);
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace graze::detail
