@@ -13,15 +13,8 @@
 namespace {
 
 using graze::integer;
+using wide::value;
 
-template <int Bits>
-mpz_class value(const integer<Bits>& x) {
-    mpz_class sum = x.is_negative() ? -wide::power(64 * integer<Bits>::limbs) : mpz_class(0);
-    for (int i = 0; i < integer<Bits>::limbs; ++i) {
-        sum += wide::from_unsigned(x.limb(i)) << static_cast<unsigned long>(64 * i);
-    }
-    return sum;
-}
 template <int Bits>
 integer<Bits> in(const mpz_class& x) {
     integer<Bits> r;

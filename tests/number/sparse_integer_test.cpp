@@ -11,18 +11,10 @@
 namespace {
 
 using graze::sparse_integer;
+using wide::value;
 
 constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-
-template <int Bits>
-mpz_class value(const sparse_integer<Bits>& x) {
-    mpz_class sum;
-    for (int i = 0; i < x.count(); ++i) {
-        sum += wide::from_signed(x.digit(i)) << static_cast<unsigned long>(64 * x.position(i));
-    }
-    return sum;
-}
 
 // What a value promises: its digits, its size and its sign.
 template <int Bits>

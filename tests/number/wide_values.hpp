@@ -61,4 +61,20 @@ inline mpz_class any(int bits) {
     return *rc::gen::arbitrary<bool>() ? mpz_class(-x) : x;
 }
 
+template <class X>
+mpz_class value(const X& x) {
+    mpz_class sum = 0;
+    if constexpr (requires { x.count(); }) {
+        for (int i = 0; i < x.count(); ++i) {
+            sum += from_signed(x.digit(i)) * power(64 * x.position(i));
+        }
+    } else {
+        for (int i = 0; i < X::limbs; ++i) {
+            sum += from_unsigned(x.limb(i)) * power(64 * i);
+        }
+        sum -= x.is_negative() ? power(64 * X::limbs) : mpz_class(0);
+    }
+    return sum;
+}
+
 } // namespace wide

@@ -3,16 +3,21 @@
 
 #include <graze/number/cgal.hpp>
 
+#include <CGAL/Gmpq.h>
+#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Sqrt_extension.h>
 
 namespace speed {
 
 namespace {
 
+// CGAL::Exact_rational is a Boost type with expression templates here, which formulas that say auto cannot take.
+using rational = CGAL::Gmpq;
+
 // The usual filtered kernel by hand: an interval first, an exact rational where that leaves the sign open.
 struct interval_then_exact {
     converted<CGAL::Interval_nt<false>> fast;
-    converted<CGAL::Exact_rational> exact;
+    converted<rational> exact;
 
     [[nodiscard]] graze::encounter operator()(std::size_t i) const {
         try {
@@ -24,7 +29,6 @@ struct interval_then_exact {
     }
 };
 
-using rational = CGAL::Gmpq;
 using root_number = CGAL::Sqrt_extension<rational, rational, CGAL::Tag_true>;
 
 // τ = (-h - √D)/a as a Sqrt_extension, for pairs that hit.
@@ -73,10 +77,10 @@ void compare_order(const std::string& name, F time) {
 
 void register_cgal() {
     const pairs& p = generic_pairs();
-    compare_type<CGAL::Lazy_exact_nt<CGAL::Exact_rational>>("decide", "CGAL Lazy_exact_nt", p);
-    compare_type<CGAL::Exact_rational>("decide", "CGAL Exact_rational", p);
+    compare_type<CGAL::Lazy_exact_nt<rational>>("decide", "CGAL Lazy_exact_nt", p);
+    compare_type<rational>("decide", "CGAL Gmpq", p);
     const auto filtered = std::make_shared<const interval_then_exact>(
-        interval_then_exact{converted<CGAL::Interval_nt<false>>(p), converted<CGAL::Exact_rational>(p)});
+        interval_then_exact{converted<CGAL::Interval_nt<false>>(p), converted<rational>(p)});
     compare("decide", "CGAL Interval_nt, then exact", p.size(), [filtered](std::size_t i) { return (*filtered)(i); });
 
     compare_order<double>("graze", [](const ball<3>& a, const ball<3>& b) { return *graze::time_of_impact(a, b); });

@@ -82,11 +82,6 @@ template <std::signed_integral T>
     return {x, 0};
 }
 
-// |significand| < 2^stored_bits as split gives it.
-template <class T>
-inline constexpr int stored_bits = std::numeric_limits<T>::is_integer ? 8 * static_cast<int>(sizeof(T))
-                                                                      : std::numeric_limits<T>::digits;
-
 // x taken apart; x is finite. Exact for subnormals, whatever the flushing mode.
 template <class T>
 requires is_binary_input<T>
@@ -95,48 +90,72 @@ requires is_binary_input<T>
     return odd(b.significand, b.exponent);
 }
 
-// K numbers as integers on one scale: value_i = significand_i · 2^(shift_i + exponent), 0 <= shift_i, |value_i| <
-// 2^(width + exponent).
+// |x| as an unsigned number of the same order; its least bits are the significand's, without the hidden one.
+[[nodiscard]] constexpr std::uint64_t order_of_magnitude(const double& x) noexcept { return bits_of(x) << 1 >> 1; }
+[[nodiscard]] constexpr std::uint64_t order_of_magnitude(const float& x) noexcept { return bits_of(x) << 1 >> 1; }
+template <std::signed_integral T>
+[[nodiscard]] constexpr std::uint64_t order_of_magnitude(const T& x) noexcept {
+    const auto bits = static_cast<std::uint64_t>(std::int64_t{x});
+    return x < 0 ? 0 - bits : bits;
+}
+
+// The exponent that split gives to a number of this order, and how many bits its stored significand has at most.
+template <class T>
+[[nodiscard]] constexpr int stored_exponent(std::uint64_t order) noexcept {
+    if constexpr (std::signed_integral<T>) {
+        return 0;
+    } else {
+        constexpr int digits = std::numeric_limits<T>::digits;
+        const int field = static_cast<int>(order >> (digits - 1));
+        return (field != 0 ? field : 1) - (std::numeric_limits<T>::max_exponent + digits - 2);
+    }
+}
+template <class T>
+[[nodiscard]] constexpr int stored_bits(std::uint64_t highest_order) noexcept {
+    return std::signed_integral<T> ? static_cast<int>(std::bit_width(highest_order)) : std::numeric_limits<T>::digits;
+}
+
+// K numbers as integers on one scale: value_i = get(i) · 2^exponent, |get(i)| < 2^width. Zeros take no part in the
+// scale; bits that are zero in all significands are left out, so that small integers and numbers on a grid stay narrow.
 template <std::size_t K>
 struct lifted {
-    std::array<std::int64_t, K> significand{};
-    std::array<int, K> shift{};
+    std::array<binary, K> stored{};
+    int lowest = 0; // the exponent of a significand that is not shifted
+    int zeros = 0;  // below every significand
     int exponent = 0;
     int width = 0;
 
     // Value i over 2^exponent, in an integer type of at least `width` bits.
     template <class I>
     [[nodiscard]] constexpr I get(std::size_t i) const noexcept {
-        return I::from_shifted(significand[i], shift[i]);
+        const binary& x = stored[i];
+        return I::from_shifted(x.significand >> zeros, x.significand != 0 ? x.exponent - lowest : 0);
     }
 };
 
-// K numbers from `values` on, lifted. Zeros take no part in the scale; bits that are zero in all significands are left
-// out, so that small integers and numbers on a grid stay narrow.
+// K finite numbers from `values` on, lifted.
 template <std::size_t K, class T>
 constexpr void lift(lifted<K>& r, const T* values) noexcept {
-    int low = std::numeric_limits<int>::max();
-    int high = std::numeric_limits<int>::min();
+    std::uint64_t high = 0;
+    std::uint64_t low = ~std::uint64_t{0}; // of the orders less one: 0 becomes the highest
     std::uint64_t any = 0;
     for (std::size_t i = 0; i < K; ++i) {
-        const binary b = split(values[i]);
-        r.significand[i] = b.significand;
-        r.shift[i] = b.exponent;
-        any |= static_cast<std::uint64_t>(b.significand);
-        low = b.significand != 0 && b.exponent < low ? b.exponent : low;
-        high = b.significand != 0 && b.exponent > high ? b.exponent : high;
+        const std::uint64_t order = order_of_magnitude(values[i]);
+        r.stored[i] = split(values[i]);
+        any |= order;
+        high = order > high ? order : high;
+        low = order - 1 < low ? order - 1 : low;
     }
     if (any == 0) {
-        r.shift = {};
         return;
     }
-    const int zeros = std::countr_zero(any);
-    r.exponent = low + zeros;
-    r.width = high - low + stored_bits<T> - zeros;
-    for (std::size_t i = 0; i < K; ++i) {
-        r.shift[i] = r.significand[i] != 0 ? r.shift[i] - low : 0;
-        r.significand[i] >>= zeros;
+    if constexpr (!std::signed_integral<T>) {
+        any |= std::uint64_t{1} << (std::numeric_limits<T>::digits - 1); // hidden bits, of which there is none or this
     }
+    r.zeros = std::countr_zero(any);
+    r.lowest = stored_exponent<T>(low + 1);
+    r.exponent = r.lowest + r.zeros;
+    r.width = stored_exponent<T>(high) - r.lowest + stored_bits<T>(high) - r.zeros;
 }
 
 // Brings two groups to their common scale and width.
@@ -145,9 +164,7 @@ constexpr void align(lifted<K>& x, lifted<L>& y) noexcept {
     const int exponent = x.exponent < y.exponent ? x.exponent : y.exponent;
     const auto rescale = [exponent](auto& group) {
         const int up = group.exponent - exponent;
-        for (std::size_t i = 0; i < group.shift.size(); ++i) {
-            group.shift[i] += group.significand[i] != 0 ? up : 0;
-        }
+        group.lowest -= up;
         group.exponent = exponent;
         group.width += up;
     };

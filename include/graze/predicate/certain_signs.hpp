@@ -3,6 +3,7 @@
 
 #include <graze/filter/scaled_filter.hpp>
 #include <graze/formula/wall_encounter.hpp>
+#include <graze/predicate/exact_sign.hpp>
 #include <graze/predicate/pair.hpp>
 #include <graze/predicate/stage.hpp>
 
@@ -24,6 +25,13 @@ class certain_signs {
     constexpr certain_signs(const M& motion, const magnitudes& scales, const Row& row) noexcept
         : motion_(motion), scales_(scales), row_(row),
           filter_(!std::is_constant_evaluated() && usable<typename Row::value_type>(scales)) {}
+
+    // Of a ball whose velocity is zero: every formula in which it takes part is zero.
+    constexpr void rest() noexcept {
+        at_rest_ = true;
+        scales_.velocity = 1;
+        filter_ = !std::is_constant_evaluated() && usable<typename Row::value_type>(scales_);
+    }
 
     template <class F>
     [[nodiscard]] constexpr int operator()(F f) {
@@ -55,6 +63,11 @@ class certain_signs {
   private:
     template <class View, class F>
     [[nodiscard]] constexpr int ask(View view, F f) {
+        if constexpr (filter_degrees(F{}, Bounds::value())[1] > 0) {
+            if (at_rest_) {
+                return 0;
+            }
+        }
         if (filter_) {
             if (const int s = filtered_sign<Bounds>(f, view(motion_), scales_); s != open) {
                 return s;
@@ -64,7 +77,8 @@ class certain_signs {
             inputs_ = lift_row<P>(row_);
             lifted_ = true;
         }
-        return with_exact_motion<P>(inputs_, [&](const auto& m) { return sign(f(view(m))); });
+        return with_exact_motion<P>(
+            inputs_, [&](const auto& m) { return exact_sign(m, [&](const auto& x) { return f(view(x)); }); });
     }
 
     const M& motion_;
@@ -72,6 +86,7 @@ class certain_signs {
     const Row& row_;
     bool filter_;
     bool lifted_ = false;
+    bool at_rest_ = false;
     lifted_inputs<P::lengths, P::velocities, P::normals> inputs_{};
 };
 

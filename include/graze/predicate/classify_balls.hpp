@@ -4,7 +4,7 @@
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
-#include <graze/number/estimate.hpp>
+#include <graze/predicate/exact_sign.hpp>
 #include <graze/predicate/input_check.hpp>
 #include <graze/predicate/pair.hpp>
 #include <graze/predicate/rounded_motion.hpp>
@@ -46,20 +46,25 @@ struct filtered_balls {
     double length2 = 0; // |Δx|² + R²
     double scale = 0;   // |Δu|² length2
 
+    // Looked up by the three signs, none of which is of a zero: pairs come in no order that a branch could predict.
     [[nodiscard]] encounter what() const noexcept {
-        if (h > 0) {
-            return encounter::recede;
-        }
-        const encounter apart = discriminant < 0 ? encounter::miss : encounter::hit;
-        return c < 0 ? encounter::overlap : apart;
+        constexpr auto row = [](encounter negative_d, encounter positive_d) {
+            return static_cast<std::uint64_t>(positive_d) | static_cast<std::uint64_t>(negative_d) << 8;
+        };
+        constexpr std::uint64_t recede = row(encounter::recede, encounter::recede);
+        constexpr std::uint64_t apart = row(encounter::miss, encounter::hit);
+        constexpr std::uint64_t inside = row(encounter::overlap, encounter::overlap);
+        constexpr std::uint64_t answers = recede | recede << 16 | apart << 32 | inside << 48;
+        const std::uint64_t index = bits_of(h) >> 63 << 5 | bits_of(c) >> 63 << 4 | bits_of(discriminant) >> 63 << 3;
+        return static_cast<encounter>(answers >> index & 7);
     }
 };
 
 // The range. |Δu|² and length2 above smallest_square keep what underflow loses, or a mode flushes to zero, below 2^-90
 // of any scale; for float that is also what is lost when a subnormal input becomes a double. Their product below 2^570
 // keeps each of them below 2^1020: then nothing has overflowed, neither to an infinity nor, where rounding is directed,
-// to the largest double. A NaN or an infinity makes a comparison false. Conditions are joined with & and not &&: one
-// branch that is always taken costs less than several.
+// to the largest double. A NaN or an infinity makes a comparison false. Conditions are joined with & and not &&, and D
+// is computed even for balls that part: one branch that always goes the same way costs less than what it would save.
 template <class T>
 inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0x1p-450;
 
@@ -74,18 +79,13 @@ template <int N, class T>
     r.c = q.c;
     r.length2 = graze::squared_norm(m.dx) + m.R * m.R;
     r.scale = q.a * r.length2;
-    const double bound = constant::discriminant * r.scale;
-    const bool certain_h = r.h * r.h > bound;
-    const bool in_range = (std::min(q.a, r.length2) > smallest_square<T>)&(r.scale < 0x1p570);
-    if (!(certain_h & in_range & plain_radii(a.radius, b.radius))) [[unlikely]] {
-        return r;
-    }
-    if (r.h > 0) {
-        r.certain = true;
-        return r;
-    }
     r.discriminant = discriminant_halved{}(q);
-    r.certain = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c)) > bound;
+    const double bound = constant::discriminant * r.scale;
+    // h² is to be large enough, and |D| and a|c| unless h > 0, when h |h| stands in for them.
+    const double others = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c));
+    const bool certain = std::min(r.h * r.h, std::max(others, r.h * std::fabs(r.h))) > bound;
+    const bool in_range = (std::min(q.a, r.length2) > smallest_square<T>)&(r.scale < 0x1p570);
+    r.certain = certain & in_range & plain_radii(a.radius, b.radius);
     return r;
 }
 
@@ -108,14 +108,31 @@ template <class A, class H, class C>
 struct exact_encounter {
     template <class M>
     [[nodiscard]] constexpr encounter operator()(const M& m) const {
-        const auto h = coefficient_h{}(m);
-        const auto c = coefficient_c{}(m);
-        return encounter_of([&] { return sign(h); }, [&] { return sign(c); },
-                            [&] {
-                                return sign_of_discriminant(quadratic{coefficient_a{}(m), h, c});
-                            });
+        if constexpr (is_wide<M>) {
+            return encounter_of([&] { return exact_sign(m, coefficient_h{}); },
+                                [&] { return exact_sign(m, coefficient_c{}); },
+                                [&] { return exact_sign(m, halved_of_motion{}, discriminant_lagrange{}); });
+        } else {
+            const auto h = coefficient_h{}(m);
+            const auto c = coefficient_c{}(m);
+            return encounter_of([&] { return sign(h); }, [&] { return sign(c); },
+                                [&] {
+                                    return sign_of_discriminant(quadratic{coefficient_a{}(m), h, c});
+                                });
+        }
     }
 };
+
+// Balls of one velocity, at rest for instance, are no matter for integers.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const ball<N, T>& a, const ball<N, T>& b) {
+    if (is_same(a.velocity, b.velocity)) {
+        check(a, "ball a");
+        check(b, "ball b");
+        return encounter::recede;
+    }
+    return with_exact_balls(a, b, exact_encounter{});
+}
 
 // 32-bit integers as numbers whose widths the type tracks.
 template <int N, class T>
@@ -147,8 +164,9 @@ requires is_binary_input<T>
             return filtered.what();
         }
     }
+    const encounter what = detail::classify_exactly(a, b);
     observer(stage::exact);
-    return detail::with_exact_balls(a, b, detail::exact_encounter{});
+    return what;
 }
 
 } // namespace graze

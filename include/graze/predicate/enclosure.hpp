@@ -11,8 +11,8 @@
 
 namespace graze::detail {
 
-// 0 <= lower <= τ <= upper. An upper bound that is not known is the largest double: no lower bound and no time in T is
-// above it. An infinity would be no value at all under -ffast-math.
+// 0 <= lower <= τ <= upper, but for an upper bound that is not known: it is then the largest double, and τ may be
+// beyond. No lower bound and no finite time in T is above that; an infinity would be no value at all under -ffast-math.
 struct enclosure {
     static constexpr double unknown = std::numeric_limits<double>::max();
 
@@ -35,12 +35,14 @@ struct checked_root {
     return {root, time, denominator, good};
 }
 
-// Around τ = c/(-h + √D) from values whose errors are at most error_c, error_h and error_d, with D > 8 (error_d +
-// error_h S) where S/√D is at least the scale of h; all positive, no over- or underflow. With ŝ, t̂ as computed and d̂ =
-// ŝ - ĥ:
-//   |√D - ŝ| <= error_d/ŝ, so that |d - d̂| <= e := (error_d + error_hS)/ŝ + 2^-47 d̂ <= d̂/4,
-//   |τ - t̂| <= (error_c + t̂ e)/(d̂ - e) + 2^-47 t̂ <= 4/3 (error_c + t̂ (error_d + error_hS)/ŝ)/d̂ + 2^-45 t̂/2.
-// The factor 3/2 covers the roundings of this very expression.
+// Around τ = c/d, d = -h + √D, from values ĉ, ĥ, D̂ whose errors are at most error_c, error_h and error_d, where
+// error_root >= error_d + error_h √D and D̂ > 8 error_root; all positive, no over- or underflow. With ŝ, d̂, t̂ the root,
+// the denominator and the time as computed and checked:
+//   |√D - ŝ| = |D - ŝ²|/(√D + ŝ) <= error_d/ŝ + 2^-48 ŝ,
+//   |d - d̂| <= e := error_root/ŝ + 2^-47 d̂ <= d̂/7, since ŝ <= d̂,
+//   |τ - t̂| = |c - t̂ d|/d <= (error_c + 2^-48 ĉ + t̂ e)/(d̂ - e) <= 7/6 (error_c + t̂ error_root/ŝ)/d̂ + 2^-46 t̂.
+// What is taken, 3/2 of the first and 2^-45 of the second, covers the roundings of the expression itself. Without a
+// certain enclosure the upper bound is unknown and the lower one 0.
 [[nodiscard]] inline enclosure enclose(double c, double h, double discriminant, double error_c,
                                        double error_root) noexcept {
     if (!(discriminant > 8 * error_root)) {

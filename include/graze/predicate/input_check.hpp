@@ -67,6 +67,18 @@ template <int N, class T>
     return true;
 }
 
+// Whether two vectors have the same bits.
+template <int N, class T>
+[[nodiscard]] constexpr bool is_same(const vec<N, T>& x, const vec<N, T>& y) noexcept {
+    for (int i = 0; i < N; ++i) {
+        if (order_of_magnitude(x[i]) != order_of_magnitude(y[i]) ||
+            (split(x[i]).significand < 0) != (split(y[i]).significand < 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 template <int N, class T>
 constexpr void check(const plane<N, T>& p, const char* argument) {
     require_finite(p.point, argument, "point is not finite");

@@ -21,8 +21,10 @@ requires is_binary_input<T>
             return s < 0;
         }
     }
+    const bool inside =
+        detail::with_exact_balls(a, b, [](const auto& m) { return detail::exact_sign(m, coefficient_c{}) < 0; });
     observer(stage::exact);
-    return detail::with_exact_balls(a, b, [](const auto& m) { return sign(coefficient_c{}(m)) < 0; });
+    return inside;
 }
 
 // Whether the ball's centre is nearer to the plane than its radius, exactly. Throws as classify does.

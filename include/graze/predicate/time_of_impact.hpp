@@ -35,7 +35,7 @@ template <int N, class T>
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>> time_of_impact_exactly(const ball<N, T>& a,
                                                                                                const ball<N, T>& b) {
-    const encounter what = with_exact_balls(a, b, exact_encounter{});
+    const encounter what = classify_exactly(a, b);
     if (!is_collision(what)) {
         return std::nullopt;
     }
@@ -52,11 +52,12 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
     if (!std::is_constant_evaluated()) {
         if (const auto f = detail::filter_balls(a, b); f.certain) [[likely]] {
             observer(stage::filter);
-            if (f.h > 0 || f.discriminant < 0) {
+            const encounter what = f.what();
+            if (!is_collision(what)) {
                 return std::nullopt;
             }
             using constant = detail::ball_filter<N, T>;
-            const bool overlap = f.c < 0;
+            const bool overlap = what == encounter::overlap;
             const auto bounds = overlap ? detail::enclosure{0, 0}
                                         : detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
                                                           (constant::discriminant + constant::h) * f.scale);
@@ -68,8 +69,9 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
             return detail::time_of_impact_exactly(a, b);
         }
     }
+    auto time = detail::time_of_impact_exactly(a, b);
     observer(stage::exact);
-    return detail::time_of_impact_exactly(a, b);
+    return time;
 }
 
 // The exact time at which a ball touches a plane first; empty when it recedes. Throws as classify does.

@@ -68,6 +68,9 @@ template <int N, class T, class Shape, class Observer, class F>
     certain_signs<typename pair::kind, typename pair::bounds, std::remove_cvref_t<decltype(motion)>,
                   std::remove_cvref_t<decltype(row)>>
         signs(motion, scales, row);
+    if (!std::is_constant_evaluated() && !(scales.velocity > 0) && is_zero(b.velocity)) {
+        signs.rest();
+    }
     if constexpr (requires { s.edge; }) {
         if (signs(wall_view{}, face_foot_d{}) == 0) {
             check(s, name_of(s));

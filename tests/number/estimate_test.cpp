@@ -1,0 +1,80 @@
+// Estimates: the exact value is within the error that is said, through sums and products of any sizes.
+#include "wide_values.hpp"
+
+#include <graze/number/estimate.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using graze::detail::estimate;
+
+mpq_class scaled(double x, int exponent) {
+    const mpz_class p = wide::power(std::abs(exponent));
+    return mpq_class(x) * (exponent < 0 ? mpq_class(1, p) : mpq_class(p));
+}
+
+void check(const estimate& x, const mpz_class& truth) {
+    RC_ASSERT(std::isfinite(x.value));
+    RC_ASSERT(std::isfinite(x.error));
+    RC_ASSERT(abs(scaled(x.value, x.exponent) - truth) <= scaled(x.error, x.exponent));
+    if (graze::detail::is_certain(x)) {
+        RC_ASSERT(sgn(truth) == (x.value < 0 ? -1 : 1));
+    }
+}
+
+graze::sparse_integer<2098> any_sparse(mpz_class& truth) {
+    const auto significand = static_cast<std::int64_t>(wide::any_word()) >> *rc::gen::inRange(1, 63);
+    const int shift = *rc::gen::inRange(0, 2030);
+    truth = wide::from_signed(significand) * wide::power(shift);
+    return graze::sparse_integer<2098>::from_shifted(significand, shift);
+}
+
+// A random formula of 20 sums, differences and products, degrees up to 10.
+void check_formula() {
+    struct term {
+        estimate x;
+        mpz_class truth;
+        int degree;
+    };
+    static constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    const int mode = modes[*rc::gen::inRange(0, 4)];
+    std::vector<term> terms;
+    for (int i = 0; i < 4; ++i) {
+        mpz_class truth;
+        const auto x = any_sparse(truth);
+        terms.push_back({graze::detail::estimate_of(x), truth, 1});
+    }
+    for (int i = 0; i < 20; ++i) {
+        const term x = terms[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(terms.size())))];
+        const term y = terms[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(terms.size())))];
+        const int operation = *rc::gen::inRange(0, x.degree + y.degree <= 10 ? 3 : 2);
+        std::fesetround(mode);
+        const estimate r = operation == 0 ? x.x + y.x : operation == 1 ? x.x - y.x : x.x * y.x;
+        std::fesetround(FE_TONEAREST);
+        const mpz_class truth = operation == 0   ? mpz_class(x.truth + y.truth)
+                                : operation == 1 ? mpz_class(x.truth - y.truth)
+                                                 : mpz_class(x.truth * y.truth);
+        check(r, truth);
+        terms.push_back({r, truth, operation == 2 ? x.degree + y.degree : std::max(x.degree, y.degree)});
+    }
+}
+
+} // namespace
+
+TEST_CASE("An estimate's error holds through formulas") { CHECK(rc::check(check_formula)); }
+
+TEST_CASE("An estimate of a plain value is certain, of a cancelled one not") {
+    const auto x = graze::detail::estimate_of(graze::integer<61>(7));
+    const auto y = graze::detail::estimate_of(graze::integer<61>(-5));
+    CHECK(graze::detail::is_certain(x * y));
+    CHECK((x * y).value < 0);
+    CHECK(graze::detail::is_certain(x + y));
+    CHECK_FALSE(graze::detail::is_certain(x - x));
+    CHECK_FALSE(graze::detail::is_certain(estimate(0)));
+}
