@@ -3,11 +3,13 @@
 
 #include <graze/predicate/enclosure.hpp>
 #include <graze/predicate/event.hpp>
+#include <graze/predicate/rounded_time.hpp>
 #include <graze/predicate/stage.hpp>
 
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace graze {
 
@@ -28,7 +30,8 @@ struct impact_time_key {
 // The first time τ >= 0 at which a pair touches (0 for an overlap), counted from the instant at which positions are
 // given. A regular type but for a default value: two are equal exactly when their times are, whatever met whatever.
 // Comparisons look at an enclosure in doubles first and at the inputs, which the value keeps, only when the enclosures
-// overlap; they never round, throw or allocate. Made by time_of_impact only, whose empty answer std::optional orders
+// overlap; they never round, throw or allocate. Converted, a time is rounded once, in any floating-point environment.
+// Made by time_of_impact only, whose empty answer std::optional orders
 // before every time. 152 bytes for N = 3 and doubles, 104 for N = 2.
 template <int N, class T = double>
 class impact_time {
@@ -63,6 +66,21 @@ class impact_time {
         }
         observer(stage::exact);
         return detail::compare_exactly(event_, y.event_);
+    }
+
+    // What a time is rounded to: T, and double where T is an integer type.
+    using rounded_type = std::conditional_t<std::is_floating_point_v<T>, T, double>;
+
+    // The nearest number, ties to even; beyond the largest one, an infinity.
+    [[nodiscard]] explicit constexpr operator rounded_type() const {
+        return detail::round_time<rounded_type>(event_, bounds_, rounding::nearest);
+    }
+    // The largest number that is not later, and the smallest that is not earlier.
+    [[nodiscard]] constexpr rounded_type lower() const {
+        return detail::round_time<rounded_type>(event_, bounds_, rounding::downward);
+    }
+    [[nodiscard]] constexpr rounded_type upper() const {
+        return detail::round_time<rounded_type>(event_, bounds_, rounding::upward);
     }
 
     // For time_of_impact: an event, by the arguments of its constructor, and its enclosure.

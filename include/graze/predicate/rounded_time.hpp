@@ -37,9 +37,32 @@ template <class T, class Z, class M>
     return round_to<T>(below ? -height : height, -m.r, normal, below ? speed : -speed, unit, mode);
 }
 
+// The same of the centres' distance: balls, or a ball and a corner.
+template <class T, class M>
+[[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode) {
+    const radicand<surd_integer_for<M>> d(discriminant_lagrange{}(m));
+    return round_root<T>(coefficient_a{}(m), coefficient_h{}(m), d, unit, mode);
+}
+
+// Of an event of a wall.
+template <class T, int N, class M>
+[[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode) {
+    using Z = surd_integer_for<M>;
+    if (kind == event_kind::face) {
+        return round_plane_time<T>(m, radicand<Z>(face_foot_d{}(m)), unit, mode);
+    }
+    if constexpr (N == 3) {
+        if (kind == event_kind::edge) {
+            const auto view = seen_from(m, edge_view(index));
+            return round_root<T>(edge_a{}(view), edge_h{}(view), radicand<Z>(edge_discriminant{}(view)), unit, mode);
+        }
+    }
+    return round_approach_time<T>(corner_motion(seen_from(m, wall_view{index, false})), unit, mode);
+}
+
 // The time of an event, from its inputs.
 template <class T, int N, class U>
-[[nodiscard]] constexpr T round_exactly(const event<N, U>& e, rounding mode) {
+[[nodiscard, gnu::noinline]] constexpr T round_exactly(const event<N, U>& e, rounding mode) {
     if (e.overlap) {
         return T(0);
     }
@@ -48,20 +71,12 @@ template <class T, int N, class U>
         const int unit = inputs.length.exponent - inputs.velocity.exponent;
         return with_exact_motion<P>(inputs, [&](const auto& m) {
             using Z = surd_integer_for<decltype(m)>;
-            const auto from_plane = [&](const auto& face) {
-                return round_plane_time<T>(face, radicand<Z>(graze::squared_norm(face.n)), unit, mode);
-            };
-            if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
-                return from_plane(m);
+            if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
+                return round_wall_time<T, N>(e.kind, e.index, m, unit, mode);
+            } else if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
+                return round_plane_time<T>(m, radicand<Z>(graze::squared_norm(m.n)), unit, mode);
             } else {
-                if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
-                    if (e.kind == event_kind::face) {
-                        return from_plane(face_of(m));
-                    }
-                }
-                return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) {
-                    return round_root<T>(q.a, q.h, radicand<Z>(discriminant_halved{}(q)), unit, mode);
-                });
+                return round_approach_time<T>(m, unit, mode);
             }
         });
     });
