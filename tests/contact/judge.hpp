@@ -5,6 +5,7 @@
 #include "../oracle/rounding.hpp"
 
 #include <graze/contact/contact.hpp>
+#include <graze/predicate/impact_time.hpp>
 
 #include <optional>
 #include <string>
@@ -69,18 +70,34 @@ void unchanged(verdict& v, const char* name, const graze::vec<N, T>& before, con
     }
 }
 
+// time_of_impact's answer, rounded in each direction.
+template <int N, class T>
+void time(verdict& v, const oracle::answer& met, const std::optional<graze::impact_time<N, T>>& found) {
+    if (found.has_value() != met.time.has_value()) {
+        v.wrong = "time_of_impact";
+    } else if (found) {
+        v.components += 3;
+        const bool right = oracle::is_rounded(*met.time, static_cast<T>(*found)) &&
+                           oracle::is_rounded(*met.time, found->lower(), oracle::direction::downward) &&
+                           oracle::is_rounded(*met.time, found->upper(), oracle::direction::upward);
+        v.wrong += right ? "" : std::string(v.wrong.empty() ? "" : ", ") + "impact_time";
+    }
+}
+
 template <class T>
 mpq_class inverse(T mass) {
     return std::isinf(mass) ? mpq_class(0) : mpq_class(1 / mpq_class(static_cast<double>(mass)));
 }
 
 template <int N, class T>
-verdict of(const graze::ball<N, T>& a, const graze::ball<N, T>& b, const std::optional<graze::contact<N, T>>& found) {
+verdict of(const graze::ball<N, T>& a, const graze::ball<N, T>& b, const std::optional<graze::contact<N, T>>& found,
+           const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(a, b);
     verdict v{met.what, 0, 0, {}};
     if (found.has_value() != oracle::is_collision(met.what)) {
         v.wrong = "the encounter";
     }
+    time(v, met, at);
     if (!found || !v.wrong.empty()) {
         return v;
     }
@@ -119,12 +136,13 @@ void compare(verdict& v, const graze::ball<N, T>& b, const oracle::wall_contact<
 
 template <int N, class T>
 verdict of(const graze::ball<N, T>& b, const graze::plane<N, T>& p,
-           const std::optional<graze::wall_contact<N, T>>& found) {
+           const std::optional<graze::wall_contact<N, T>>& found, const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(b, p);
     verdict v{met.what, 0, 0, {}};
     if (found.has_value() != oracle::is_collision(met.what) || (found && found->where != graze::feature::face)) {
         v.wrong = "the encounter";
     }
+    time(v, met, at);
     if (found && v.wrong.empty()) {
         compare(v, b, oracle::contact(b, p, met), *found);
     }
@@ -133,13 +151,14 @@ verdict of(const graze::ball<N, T>& b, const graze::plane<N, T>& p,
 
 template <int N, class T>
 verdict of(const graze::ball<N, T>& b, const graze::wall<N, T>& w,
-           const std::optional<graze::wall_contact<N, T>>& found) {
+           const std::optional<graze::wall_contact<N, T>>& found, const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(b, w);
     verdict v{met.what, 0, 0, {}};
     if (found.has_value() != oracle::is_collision(met.what) ||
         (found && static_cast<int>(found->where) != static_cast<int>(met.where()))) {
         v.wrong = "the encounter";
     }
+    time(v, met, at);
     if (found && v.wrong.empty()) {
         const unsigned which = met.face ? 1U : met.edges != 0 ? met.edges : met.corners;
         compare(v, b, oracle::contact(b, w, met, met.where(), std::countr_zero(which)), *found);
