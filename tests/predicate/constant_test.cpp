@@ -35,6 +35,22 @@ static_assert(*first == *time_of_impact(ball<2, double>{{0, 4}, {0, -1}, 1}, flo
 static_assert(*first == *time_of_impact(ball<2, double>{{2, -4}, {0, 1}, 1}, segment));
 static_assert(!time_of_impact(coming(9), resting));
 
+// In exact types whose sums and products are other types.
+using tracked = graze::integer<62>;
+constexpr ball<3, tracked> falling(int x, int y) {
+    return {{{tracked(x), tracked(y), tracked(10)}}, {{tracked(0), tracked(0), tracked(-1)}}, tracked(1)};
+}
+constexpr wall<3, tracked> table{{{tracked(-5), tracked(-5), tracked(0)}},
+                                 {{{{tracked(10), tracked(0), tracked(0)}}, {{tracked(0), tracked(10), tracked(0)}}}}};
+static_assert(classify(falling(0, 0), table) == encounter::hit);
+static_assert(classify(falling(6, 0), table) == encounter::graze);
+static_assert(classify(falling(6, 6), table) == encounter::miss);
+static_assert(classify(falling(0, 0), falling(9, 0)) == encounter::recede);
+
+// Any signed integer of 32 or 64 bits, whatever its name.
+static_assert(classify(ball<2, long long>{{0, 4}, {0, -1}, 1}, ball<2, long long>{{0, 0}, {0, 0}, 1}) == encounter::hit);
+static_assert(classify(ball<2, long>{{0, 4}, {0, -1}, 1}, ball<2, long>{{2, 0}, {0, 0}, 1}) == encounter::graze);
+
 // Whether F{}() is a constant expression.
 template <class F>
 concept constant = requires {

@@ -269,6 +269,27 @@ TEST_CASE("A time against a number") {
     CHECK(*whole < 3);
     CHECK(*whole < std::numeric_limits<std::int64_t>::max());
     CHECK(*whole > std::numeric_limits<std::int64_t>::min());
+    CHECK(*whole == 2.5); // not converted to an integer first
+    CHECK(*whole == 2.5F);
+    CHECK(*whole < 2.5000000000000004);
+
+    // A third of a double that no float is.
+    const auto narrow =
+        graze::time_of_impact(graze::ball<2, float>{{5, 0}, {-3, 0}, 0}, graze::ball<2, float>{{0, 0}, {0, 0}, 0});
+    CHECK(*narrow > 1.6666666);
+    CHECK(*narrow < 5.0F / 3.0F);
+    CHECK(*narrow > 5.0 / 3.0);
+    CHECK(*narrow < 2);
+    CHECK(*narrow > 1U);
+    CHECK(*narrow > 1LL);
+
+    // 2^53 and one more, which a double does not hold.
+    const auto exact = graze::time_of_impact(graze::ball<2, std::int64_t>{{9007199254740993, 0}, {-1, 0}, 0},
+                                             graze::ball<2, std::int64_t>{{0, 0}, {0, 0}, 0});
+    CHECK(*exact == std::int64_t{9007199254740993});
+    CHECK(*exact > std::int64_t{9007199254740992});
+    CHECK(*exact > 9007199254740992.0);
+    CHECK(*exact < 9007199254740994.0);
 }
 
 TEST_CASE("The stage that orders two times can be seen") {

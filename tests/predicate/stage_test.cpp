@@ -104,6 +104,21 @@ TEST_CASE("A ball and a plane") {
     expect_overlap(false, stage::exact, at(0, 0, -1, 1, 1, 0), floor);
 }
 
+TEST_CASE("What is at rest recedes, without integers against planes and walls") {
+    const plane floor{{{7, 8, 0}}, {{0, 0, 3}}};
+    const wall square{{{0, 0, 0}}, {{{{4, 0, 0}}, {{0, 4, 0}}}}};
+    for (const double zero : {0.0, -0.0}) {
+        expect(recede, stage::filter, at(0, 0, 5, zero, 0, 0), floor);
+        expect(recede, stage::filter, at(0, 0, 0.5, zero, 0, 0), floor);
+        expect(recede, stage::filter, at(2, 1, 5, zero, 0, 0), square);
+        expect(recede, stage::filter, at(2, 1, 0.5, 0, zero, 0), square);
+        expect_overlap(true, stage::filter, at(2, 1, 0.5, zero, 0, 0), square);
+        expect_overlap(false, stage::filter, at(2, 1, 5, zero, 0, 0), square);
+    }
+    expect(recede, stage::exact, at(2, 1, 5, 0x1p-1074, 0, 0x1p-1074), square);
+    expect(hit, stage::exact, at(2, 1, 5, 0, 0, -0x1p-1074), square);
+}
+
 TEST_CASE("A ball and a wall") {
     const wall square{{{0, 0, 0}}, {{{{4, 0, 0}}, {{0, 4, 0}}}}};
     expect(hit, stage::filter, at(2, 1, 5, 0.1, 0.1, -1), square);       // the face

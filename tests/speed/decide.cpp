@@ -33,8 +33,12 @@ void compare_exact(const std::string& group, const pairs& p) {
 
 void register_decisions() {
     const pairs& p = generic_pairs();
-    compare("decide", "plain double", p.size(), [&p](std::size_t i) { return decide(p.a[i], p.b[i]); });
-    compare("decide", "graze::classify", p.size(), [&p](std::size_t i) { return graze::classify(p.a[i], p.b[i]); });
+    const auto decide_all = [](const std::string& group, const pairs& q) {
+        compare(group, "plain double", q.size(), [&q](std::size_t i) { return decide(q.a[i], q.b[i]); });
+        compare(group, "graze::classify", q.size(), [&q](std::size_t i) { return graze::classify(q.a[i], q.b[i]); });
+    };
+    decide_all("decide", p);
+    decide_all("decide, too many pairs to be foreseen", many_pairs());
     compare_type<long double>("decide", "long double", p);
 #ifdef GRAZE_SPEED_FLOAT128
     compare_type<__float128>("decide", "__float128", p);

@@ -30,9 +30,9 @@ double any_exponent(families::random& r) {
 }
 
 template <class F>
-pairs draw(F f) {
+pairs draw(F f, std::size_t number = count) {
     pairs p;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < number; ++i) {
         families::random r(seed, i);
         p.a.push_back(f(r));
         p.b.push_back(f(r));
@@ -40,24 +40,33 @@ pairs draw(F f) {
     return p;
 }
 
-} // namespace
-
-const pairs& generic_pairs() {
-    static const pairs result = [] {
-        pairs p = draw([](families::random& r) {
+pairs draw_generic(std::size_t number) {
+    pairs p = draw(
+        [](families::random& r) {
             const auto position = vector(r, 10);
             const auto velocity = vector(r, 1);
             return ball<3>{position, velocity, radius(r)};
-        });
-        // a's velocity relative to b is towards b or, in every second pair, away from it, give or take a little.
-        for (std::size_t i = 0; i < count; ++i) {
-            families::random r(seed + 1, i);
-            const double approach = r.one_in(2) ? 0.1 : -0.1;
-            const auto off = vector(r, 0.2);
-            p.a[i].velocity = p.b[i].velocity - approach * (p.a[i].position - p.b[i].position) + off;
-        }
-        return p;
-    }();
+        },
+        number);
+    // a's velocity relative to b is towards b or, in every second pair, away from it, give or take a little.
+    for (std::size_t i = 0; i < number; ++i) {
+        families::random r(seed + 1, i);
+        const double approach = r.one_in(2) ? 0.1 : -0.1;
+        const auto off = vector(r, 0.2);
+        p.a[i].velocity = p.b[i].velocity - approach * (p.a[i].position - p.b[i].position) + off;
+    }
+    return p;
+}
+
+} // namespace
+
+const pairs& generic_pairs() {
+    static const pairs result = draw_generic(count);
+    return result;
+}
+
+const pairs& many_pairs() {
+    static const pairs result = draw_generic(16 * count);
     return result;
 }
 

@@ -26,6 +26,8 @@ struct pairs {
 // 4096 pairs in space, of which half recede and more than a quarter hit, in random order; their inputs are full
 // doubles.
 [[nodiscard]] const pairs& generic_pairs();
+// 65536 of them: too many for a branch predictor to learn the answers by heart, as it does with 4096 that are repeated.
+[[nodiscard]] const pairs& many_pairs();
 // Pairs whose lengths have one exponent and whose velocities have one.
 [[nodiscard]] const pairs& like_exponents();
 // Pairs whose every coordinate has an exponent of its own, over the range of doubles.
