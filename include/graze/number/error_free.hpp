@@ -32,12 +32,8 @@ template <class V>
         return x;
     }
 #if defined(__clang__) && defined(__x86_64__)
-    if constexpr (has_fused_multiply_add) { // __arithmetic_fence leaves products free to be fused
-        __asm__("" : "+x"(x));
-        return x;
-    } else {
-        return __arithmetic_fence(x);
-    }
+    __asm__("" : "+x"(x)); // __arithmetic_fence leaves products free to be fused
+    return x;
 #elif defined(__clang__) && defined(__aarch64__)
     __asm__("" : "+w"(x));
     return x;
@@ -106,15 +102,15 @@ template <class V>
     return {high, settled(x - high)};
 }
 
-// A factor of several products: with its halves where products need them.
-template <class V>
+// A factor of several products, which are Fused or not: with its halves where they are not.
+template <class V, bool Fused = has_fused_multiply_add>
 struct factor {
     V value;
     halves<V> parts;
 };
-template <class V>
-[[nodiscard, gnu::always_inline]] constexpr inline factor<V> as_factor(V x) noexcept {
-    if (!has_fused_multiply_add || std::is_constant_evaluated()) {
+template <bool Fused = has_fused_multiply_add, class V>
+[[nodiscard, gnu::always_inline]] constexpr inline factor<V, Fused> as_factor(V x) noexcept {
+    if (!Fused || std::is_constant_evaluated()) {
         return {x, veltkamp_split(x)};
     }
     return {x, {x, x}};
@@ -123,12 +119,12 @@ template <class V>
 } // namespace detail
 
 // a b: by a fused multiply-add where the machine has it, by Dekker's product (1971, Theorem 5.13) where not.
-template <class V>
-[[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V> two_product(const detail::factor<V>& a,
-                                                                             const detail::factor<V>& b) noexcept {
+template <class V, bool Fused>
+[[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
+two_product(const detail::factor<V, Fused>& a, const detail::factor<V, Fused>& b) noexcept {
     using detail::settled;
     const V p = settled(a.value * b.value);
-    if constexpr (detail::has_fused_multiply_add) {
+    if constexpr (Fused) {
         if (!std::is_constant_evaluated()) {
             return {p, settled(detail::fused_residual(a.value, b.value, p))};
         }
@@ -146,11 +142,12 @@ template <class V>
 }
 
 // a².
-template <class V>
-[[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V> two_square(const detail::factor<V>& a) noexcept {
+template <class V, bool Fused>
+[[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
+two_square(const detail::factor<V, Fused>& a) noexcept {
     using detail::settled;
     const V p = settled(a.value * a.value);
-    if constexpr (detail::has_fused_multiply_add) {
+    if constexpr (Fused) {
         if (!std::is_constant_evaluated()) {
             return {p, settled(detail::fused_residual(a.value, a.value, p))};
         }

@@ -33,28 +33,31 @@ template <int N, class T>
 }
 
 // Δx + Δu t0 in two lanes, with what the next steps need of it.
+template <bool Fused>
 struct lane_displacement {
-    factor<lanes> high; // yh
-    lanes low;          // yl: y = yh + yl
-    factor<lanes> du;   // Δu's value
+    factor<lanes, Fused> high; // yh
+    lanes low;                 // yl: y = yh + yl
+    factor<lanes, Fused> du;   // Δu's value
 };
 
 // With m = |Δx| + |Δu| t0 lane by lane, of values: |yl| <= 3.02 u m, and the error of yh + yl is at most 7.01 u² m: the
 // exact y is yh + the errors of the sum, the product and Δx + (the error of Δu) t0, which are at most u m, u |Δu| t0, u
 // |Δx| and u |Δu| t0; the four roundings in adding them up cost u² (|Δu| t0 + m + (m + |Δu| t0) + (2m + |Δu| t0)).
-[[nodiscard, gnu::always_inline]] inline lane_displacement
-displacement(const exact_pair<lanes>& dx, const exact_pair<lanes>& du, const factor<lanes>& t0) noexcept {
-    const factor<lanes> speed = as_factor(du.value);
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline lane_displacement<Fused>
+displacement(const exact_pair<lanes>& dx, const exact_pair<lanes>& du, const factor<lanes, Fused>& t0) noexcept {
+    const auto speed = as_factor<Fused>(du.value);
     const auto way = two_product(speed, t0);
     const auto sum = two_sum(dx.value, way.value);
-    return {as_factor(sum.value), sum.error + (way.error + (dx.error + du.error * t0.value)), speed};
+    return {as_factor<Fused>(sum.value), sum.error + (way.error + (dx.error + du.error * t0.value)), speed};
 }
 
 // τ = t0 + t1 with an error of at most `error`, if good.
+template <bool Fused>
 struct fast_approach {
     lane_motion motion;
-    factor<lanes> t0;
-    lane_displacement y01, yR2; // at t0
+    factor<lanes, Fused> t0;
+    lane_displacement<Fused> y01, yR2; // at t0
     double t1;
     double error;
     double sensitivity; // γ >= (L V/σ)²
@@ -79,15 +82,17 @@ struct fast_approach {
 //   0.51
 //     γ: below error := (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included.
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
-[[nodiscard, gnu::always_inline]] inline fast_approach approach_near(const lane_motion& m, double time) noexcept {
-    fast_approach r;
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m,
+                                                                            double time) noexcept {
+    fast_approach<Fused> r;
     r.motion = m;
-    r.t0 = as_factor(both(time));
+    r.t0 = as_factor<Fused>(both(time));
     r.y01 = displacement(m.x01, m.u01, r.t0);
     r.yR2 = displacement(m.xR2, m.u_2, r.t0);
     const auto square01 = two_square(r.y01.high);
     const auto squareR2 = two_square(r.yR2.high);
-    const auto low_terms = [](const lane_displacement& y, const exact_pair<lanes>& square) {
+    const auto low_terms = [](const auto& y, const exact_pair<lanes>& square) __attribute__((always_inline)) {
         return lanes(square.error + y.low * (y.high.value + y.high.value + y.low));
     };
     const lanes less_R{-1, 1};
@@ -110,7 +115,9 @@ struct fast_approach {
     const double magnitude = absolute(r.t1);
     const double turn = r.per_time * magnitude;
     r.error = settled(0x1p-99 * length2 * inverse + magnitude * (5 * turn + 0x1p-49 * r.sensitivity));
-    const auto all = [](auto... conditions) { return (static_cast<unsigned>(conditions) & ...) != 0; }; // one branch
+    const auto all = [](auto... conditions) __attribute__((always_inline)) {
+        return (static_cast<unsigned>(conditions) & ...) != 0;
+    }; // one branch
     r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), sigma > 0, r.sensitivity < 0x1p64,
                  turn < 0x1p-10);
     return r;

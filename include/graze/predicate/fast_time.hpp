@@ -1,6 +1,7 @@
 // The time of two balls rounded by doubles alone, where that leaves no doubt.
 #pragma once
 
+#include <graze/number/fused.hpp>
 #include <graze/number/rounding.hpp>
 #include <graze/predicate/event.hpp>
 #include <graze/predicate/fast_approach.hpp>
@@ -31,6 +32,23 @@ template <class T>
     return std::nullopt;
 }
 
+// When two balls meet that do so near `time`; nothing is known unless good.
+template <int N, class U>
+struct time_by_doubles {
+    const ball<N, U>&a, &b;
+    double time;
+
+    struct answer {
+        bounded<double> time;
+        bool good;
+    };
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] answer operator()(std::bool_constant<Fused>) const noexcept {
+        const auto r = approach_near<Fused>(lane_motion_of(a, b), time);
+        return {r.time(), r.good};
+    }
+};
+
 // time: near that of the event, which is not an overlap. The inputs are doubles or numbers that doubles hold exactly.
 template <class T, int N, class U>
 [[nodiscard]] inline std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
@@ -42,9 +60,9 @@ template <class T, int N, class U>
             using pair = two_balls<N>;
             const ball<N, U> a{vector(0), vector(pair::lengths), e.row[2 * N]};
             const ball<N, U> b{vector(N), vector(pair::lengths + N), e.row[2 * N + 1]};
-            const fast_approach r = approach_near(lane_motion_of(a, b), time);
-            if (r.good) {
-                return rounded_without_doubt<T>(r.time(), mode);
+            const auto found = with_best_products(time_by_doubles<N, U>{a, b, time});
+            if (found.good) {
+                return rounded_without_doubt<T>(found.time, mode);
             }
         }
     }
