@@ -1,0 +1,37 @@
+# cmake -D PROGRAM=error-bounds -D GAPPA=... -D COQC=... -D WORK=... -P coq.cmake: writes every script, lets Gappa write
+# its proof of each for Coq, and lets Coq check it. The one step that Gappa leaves to the user, the error of a quotient,
+# is proved here too.
+cmake_policy(VERSION 3.25)
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+execute_process(COMMAND "${PROGRAM}" scripts "${WORK}" COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB scripts "${WORK}/*_double_*.g") # for float nothing but u differs
+foreach(script IN LISTS scripts)
+    execute_process(COMMAND "${GAPPA}" -Bcoq "${script}" OUTPUT_VARIABLE proof ERROR_VARIABLE said RESULT_VARIABLE result)
+    if(NOT result EQUAL 0)
+        message(FATAL_ERROR "gappa does not prove ${script}:\n${said}")
+    endif()
+    string(REPLACE "Section Generated_by_Gappa." [[
+Require Import Reals.
+Lemma quotient_error : forall x y t m : R,
+  (t <> 0 -> m <> 0 -> x / t - y / m = (x - y - y / m * (t - m)) / t)%R.
+Proof. intros; field; split; assumption. Qed.
+Section Generated_by_Gappa.]] proof "${proof}")
+    string(REGEX REPLACE "Hypothesis (a[0-9]+) : ([^\n]*)\\.\n"
+        "Lemma \\1 : \\2.\nProof. intros; apply quotient_error; assumption. Qed.\n" proof "${proof}")
+    if(proof MATCHES "Hypothesis|Axiom|Admitted")
+        message(FATAL_ERROR "the proof of ${script} supposes something")
+    endif()
+    string(REGEX REPLACE "\\.g$" ".v" file "${script}")
+    cmake_path(GET file STEM stem)
+    set(file "${WORK}/bound_${stem}.v")
+    file(WRITE "${file}" "${proof}")
+    execute_process(COMMAND "${COQC}" -q "${file}" OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
+    if(NOT result EQUAL 0)
+        message(FATAL_ERROR "Coq does not accept ${file}:\n${said}")
+    endif()
+    file(STRINGS "${script}" title LIMIT_COUNT 1)
+    message(STATUS "Coq accepts: ${title}")
+endforeach()
+list(LENGTH scripts count)
+message(STATUS "Coq accepts all ${count} proofs")

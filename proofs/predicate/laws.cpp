@@ -1,0 +1,189 @@
+// The laws of the decisions, on hard cases: exact tangents, one unit in the last place beside, borders of walls. The
+// same numbers stand in tests/predicate/laws.hpp, which tries them on random pairs of every hard family.
+#include <graze/graze.hpp>
+
+#include <utility>
+
+namespace {
+
+using namespace graze;
+
+constexpr double ulp = 0x1p-52;
+
+// Two pairs have one answer: the encounter, whether they overlap now, and of balls and planes the exact time.
+template <class A, class B>
+constexpr bool same(const A& a, const B& b, const A& c, const B& d) {
+    if (classify(a, b) != classify(c, d) || overlaps(a, b) != overlaps(c, d)) {
+        return false;
+    }
+    if constexpr (requires { b.edge; }) {
+        return true;
+    } else {
+        const auto x = time_of_impact(a, b);
+        const auto y = time_of_impact(c, d);
+        return x.has_value() == y.has_value() && (!x || *x == *y);
+    }
+}
+
+// The hard cases: what flies along (5, -12)/13 at a distance of 13, and with a radius one unit in the last place more
+// or less; a wall's border, touched by (3, 4, 5), and one unit beside; a plane askew. A law is a function that says
+// whether it holds of a pair; each case is a constant expression of its own, since compilers limit their steps.
+constexpr ball<2> still{{0, 0}, {0, 0}, 6};
+constexpr ball<2> passing(double radius) { return {{2, 29}, {5, -12}, radius}; }
+static_assert(classify(passing(7), still) == encounter::graze);
+static_assert(classify(passing(7 + 4 * ulp), still) == encounter::hit);
+static_assert(classify(passing(7 - 4 * ulp), still) == encounter::miss);
+
+constexpr wall<2> segment{{5, -3}, {{{{0, 6}}}}};
+constexpr ball<2> thrown(double y) { return {{0, y}, {1, 0}, 4}; }
+static_assert(classify(thrown(7), segment) == encounter::graze);
+static_assert(classify(thrown(7 - 4 * ulp), segment) == encounter::hit);
+static_assert(classify(thrown(7 + 4 * ulp), segment) == encounter::miss);
+
+constexpr plane<3> askew{{5, 0, 0}, {-3, 1, 2}};
+constexpr ball<3> at_plane{{0, 1, 2}, {1, 0.5, 0}, 2};
+static_assert(classify(at_plane, askew) == encounter::hit);
+
+template <class Law>
+constexpr bool of_tangent = Law{}(passing(7), still);
+template <class Law>
+constexpr bool of_hit = Law{}(passing(7 + 4 * ulp), still);
+template <class Law>
+constexpr bool of_miss = Law{}(passing(7 - 4 * ulp), still);
+template <class Law>
+constexpr bool of_border = Law{}(thrown(7), segment);
+template <class Law>
+constexpr bool of_face = Law{}(thrown(1), segment);
+template <class Law>
+constexpr bool of_plane = Law{}(at_plane, askew);
+template <class Law>
+constexpr bool of_all = of_tangent<Law>&& of_hit<Law>&& of_miss<Law>&& of_border<Law>&& of_face<Law>&& of_plane<Law>;
+
+template <int N>
+constexpr vec<N, double> turned(const vec<N, double>& x) {
+    return make_vec<N>([&](int i) { return x[(i + 1) % N]; });
+}
+template <int N>
+constexpr vec<N, double> mirrored(vec<N, double> x) {
+    x[0] = -x[0];
+    return x;
+}
+// f of every vector.
+template <int N, class F>
+constexpr ball<N> each(const ball<N>& b, F f) {
+    return {f(b.position), f(b.velocity), b.radius};
+}
+template <int N, class F>
+constexpr plane<N> each(const plane<N>& p, F f) {
+    return {f(p.point), f(p.normal)};
+}
+template <int N, class F>
+constexpr wall<N> each(wall<N> w, F f) {
+    w.corner = f(w.corner);
+    for (auto& e : w.edge) {
+        e = f(e);
+    }
+    return w;
+}
+
+// 1. The axes may be permuted and mirrored.
+struct axes {
+    template <class A, class B>
+    constexpr bool operator()(const A& a, const B& b) const {
+        const auto turn = [](const auto& x) { return turned(x); };
+        const auto mirror = [](const auto& x) { return mirrored(x); };
+        return same(a, b, each(a, turn), each(b, turn)) && same(a, b, each(a, mirror), each(b, mirror));
+    }
+};
+static_assert(of_all<axes>);
+
+// 2. The same things may be written otherwise: balls exchanged, a plane's normal in the other sense, a wall's edges
+// exchanged or drawn from the other end.
+struct presentation {
+    constexpr bool operator()(const ball<2>& a, const ball<2>& b) const { return same(a, b, b, a); }
+    constexpr bool operator()(const ball<3>& b, plane<3> p) const {
+        const plane<3> given = p;
+        p.normal = -p.normal;
+        return same(b, given, b, p);
+    }
+    constexpr bool operator()(const ball<2>& b, wall<2> w) const {
+        const wall<2> given = w;
+        w.corner = w.corner + w.edge[0];
+        w.edge[0] = -w.edge[0];
+        return same(b, given, b, w);
+    }
+};
+static_assert(of_all<presentation>);
+
+// 3. Lengths, velocities and normals may be scaled by a power of two each: the encounter stays and times scale.
+struct scaling {
+    template <int N>
+    static constexpr ball<N> longer(const ball<N>& b) {
+        return {8.0 * b.position, 4.0 * b.velocity, 8.0 * b.radius};
+    }
+    static constexpr plane<3> longer(const plane<3>& p) { return {8.0 * p.point, 0.25 * p.normal}; }
+    static constexpr wall<2> longer(const wall<2>& w) {
+        return each(w, [](const auto& x) { return 8.0 * x; });
+    }
+    template <class A, class B>
+    constexpr bool operator()(const A& a, const B& b) const {
+        const auto x = time_of_impact(a, b);
+        const auto y = time_of_impact(longer(a), longer(b));
+        if (classify(a, b) != classify(longer(a), longer(b)) || x.has_value() != y.has_value()) {
+            return false;
+        }
+        for (const double m : {2.0, 5.0}) {
+            if (x && (*x <=> m) != (*y <=> 2 * m)) {
+                return false;
+            }
+        }
+        return true;
+    }
+};
+static_assert(of_all<scaling>);
+
+// 4. Both balls may fly faster by the same velocity, and everything may be elsewhere.
+struct frame {
+    template <class A, class B>
+    constexpr bool operator()(const A& a, const B& b) const {
+        auto c = a;
+        auto d = b;
+        c.position[1] = c.position[1] + 64;
+        move(d, 64);
+        if constexpr (std::is_same_v<A, B>) {
+            c.velocity[0] = c.velocity[0] - 5;
+            d.velocity[0] = d.velocity[0] - 5;
+        }
+        return same(a, b, c, d);
+    }
+    static constexpr void move(ball<2>& b, double by) { b.position[1] = b.position[1] + by; }
+    static constexpr void move(plane<3>& p, double by) { p.point[1] = p.point[1] + by; }
+    static constexpr void move(wall<2>& w, double by) { w.corner[1] = w.corner[1] + by; }
+};
+static_assert(of_all<frame>);
+
+// 5. Times are in one order, whatever met whatever: exactly one of <, ==, > holds, exchanged operands exchange it, and
+// what is before a time that is before another is before that one too.
+constexpr ball<2> runner{{0, 0}, {1, 0}, 1};
+constexpr impact_time<2> three[] = {*time_of_impact(runner, ball<2>{{4, 0}, {0, 0}, 1 + ulp}),
+                                    *time_of_impact(runner, plane<2>{{3, 0}, {1, 0}}),
+                                    *time_of_impact(runner, ball<2>{{3.5, 1}, {0, 0}, 1})};
+static_assert(*time_of_impact(runner, ball<2>{{4, 0}, {0, 0}, 1}) == three[1], "of a ball and of a plane");
+static_assert(three[0] < three[1] && !(three[0] == three[1]) && !(three[0] > three[1]));
+static_assert(three[1] > three[0] && !(three[1] < three[0]));
+static_assert(three[2] < three[0] && three[2] < three[1], "transitive");
+static_assert(three[2] == three[2] && !(three[2] < three[2]));
+
+// 6. A collision has a time and nothing else has; an overlap's is 0; a graze's is -h/a.
+struct times_of_collisions {
+    template <class A, class B>
+    constexpr bool operator()(const A& a, const B& b) const {
+        const encounter what = classify(a, b);
+        const auto time = time_of_impact(a, b);
+        return time.has_value() == is_collision(what) && (what != encounter::overlap || *time == 0.0);
+    }
+};
+static_assert(of_all<times_of_collisions>);
+static_assert(*time_of_impact(passing(7), still) == 2.0);
+
+} // namespace
