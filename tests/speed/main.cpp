@@ -8,6 +8,7 @@
 namespace speed {
 
 void print_stages();
+void print_contact_stages();
 
 namespace {
 
@@ -41,7 +42,8 @@ class ratio_reporter : public benchmark::ConsoleReporter {
             std::printf("\n%s: nanoseconds (median of %zu, least), ratio to the first\n", group.c_str(),
                         times_[group].front().second.size());
             double first = 0;
-            auto& members = times_[group]; // the benchmarks run in random order; the names of what is replaced come first
+            auto& members =
+                times_[group]; // the benchmarks run in random order; the names of what is replaced come first
             std::stable_partition(members.begin(), members.end(),
                                   [](const auto& m) { return m.first.find("graze") == std::string::npos; });
             std::stable_partition(members.begin(), members.end(),
@@ -70,6 +72,7 @@ int main(int argc, char** argv) {
     }
     speed::register_decisions();
     speed::register_orders();
+    speed::register_contacts();
 #ifdef GRAZE_SPEED_CGAL
     speed::register_cgal();
 #endif
@@ -77,5 +80,6 @@ int main(int argc, char** argv) {
     benchmark::RunSpecifiedBenchmarks(&reporter);
     reporter.print_ratios();
     speed::print_stages();
+    speed::print_contact_stages();
     return 0;
 }
