@@ -17,23 +17,20 @@ namespace judge {
 struct verdict {
     oracle::encounter what = oracle::encounter::recede;
     unsigned components = 0;
-    unsigned ties = 0; // components that are exactly in the middle between two numbers
     std::string wrong;
+    std::string tied; // the components that are exactly in the middle between two numbers
 };
 
-// Whether x is exactly between two neighbours in T.
+// Whether x, which is rounded to y, is exactly in the middle between y and a neighbour of it.
 template <class T>
 bool is_tie(const oracle::surd& x, T y) {
-    if (oracle::sign_of(x) == 0 || std::isinf(y)) {
-        return false;
-    }
     const int sign = oracle::sign_of(x);
     const oracle::surd magnitude{sign * x.p, sign * x.q, x.d, x.r};
     const T size = std::fabs(y);
     for (const T to : {T(0), std::numeric_limits<T>::infinity()}) {
         const T next = std::nextafter(size, to);
         const mpq_class middle = (oracle::magnitude_of(size) + oracle::magnitude_of(next)) / 2;
-        if (next != size && oracle::compare(magnitude, middle) == 0) {
+        if (sign != 0 && next != size && oracle::compare(magnitude, middle) == 0) {
             return true;
         }
     }
@@ -43,7 +40,7 @@ bool is_tie(const oracle::surd& x, T y) {
 template <class T>
 void component(verdict& v, const char* name, const oracle::surd& x, T y) {
     ++v.components;
-    v.ties += is_tie(x, y) ? 1U : 0U;
+    v.tied += is_tie(x, y) ? std::string(name) + " " : "";
     if (!oracle::is_rounded(x, y)) {
         v.wrong += std::string(v.wrong.empty() ? "" : ", ") + name;
     }
@@ -93,7 +90,7 @@ template <int N, class T>
 verdict of(const graze::ball<N, T>& a, const graze::ball<N, T>& b, const std::optional<graze::contact<N, T>>& found,
            const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(a, b);
-    verdict v{met.what, 0, 0, {}};
+    verdict v{met.what, 0, {}, {}};
     if (found.has_value() != oracle::is_collision(met.what)) {
         v.wrong = "the encounter";
     }
@@ -138,7 +135,7 @@ template <int N, class T>
 verdict of(const graze::ball<N, T>& b, const graze::plane<N, T>& p,
            const std::optional<graze::wall_contact<N, T>>& found, const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(b, p);
-    verdict v{met.what, 0, 0, {}};
+    verdict v{met.what, 0, {}, {}};
     if (found.has_value() != oracle::is_collision(met.what) || (found && found->where != graze::feature::face)) {
         v.wrong = "the encounter";
     }
@@ -153,7 +150,7 @@ template <int N, class T>
 verdict of(const graze::ball<N, T>& b, const graze::wall<N, T>& w,
            const std::optional<graze::wall_contact<N, T>>& found, const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(b, w);
-    verdict v{met.what, 0, 0, {}};
+    verdict v{met.what, 0, {}, {}};
     if (found.has_value() != oracle::is_collision(met.what) ||
         (found && static_cast<int>(found->where) != static_cast<int>(met.where()))) {
         v.wrong = "the encounter";

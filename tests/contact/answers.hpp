@@ -1,0 +1,29 @@
+// All that the library says of a pair that meets, compiled once for all tests of contacts.
+#pragma once
+
+#include <graze/contact/contact.hpp>
+#include <graze/predicate/impact_time.hpp>
+#include <graze/predicate/stage.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/wall.hpp>
+
+#include <optional>
+
+namespace answers {
+
+// collide's contact, which stage gave it, and time_of_impact's time.
+template <int N, class T, class Contact>
+struct answer {
+    std::optional<Contact> contact;
+    graze::stage given_by = graze::stage::filter;
+    std::optional<graze::impact_time<N, T>> time;
+};
+
+template <int N, class T>
+answer<N, T, graze::contact<N, T>> of(const graze::ball<N, T>& a, const graze::ball<N, T>& b);
+template <int N, class T>
+answer<N, T, graze::wall_contact<N, T>> of(const graze::ball<N, T>& b, const graze::plane<N, T>& p);
+template <int N, class T>
+answer<N, T, graze::wall_contact<N, T>> of(const graze::ball<N, T>& b, const graze::wall<N, T>& w);
+
+} // namespace answers

@@ -1,4 +1,0 @@
-#include "contact_soak_run.hpp"
-
-template contact_soak::tally contact_soak::run<2, double>(std::size_t, std::uint64_t, std::uint64_t, std::uint64_t,
-                                                          std::vector<std::string>&);
