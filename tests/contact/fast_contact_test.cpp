@@ -84,7 +84,8 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
         return;
     }
     const auto met = oracle::meet(a, b);
-    if (met.what != oracle::encounter::hit) {
+    const bool overlap = met.what == oracle::encounter::overlap;
+    if (met.what != oracle::encounter::hit && !overlap) {
         return;
     }
     ++s.pairs;
@@ -101,11 +102,13 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
         }
     };
     // With fused products and without, whatever the machine has.
-    const bool fused = graze::detail::bound_hit<true>(a, b, mass_a, mass_b, time, take);
-    const bool dekker = graze::detail::bound_hit<false>(a, b, mass_a, mass_b, time, take);
+    const bool fused = overlap ? graze::detail::bound_overlap<true>(a, b, mass_a, mass_b, take)
+                               : graze::detail::bound_hit<true>(a, b, mass_a, mass_b, time, take);
+    const bool dekker = overlap ? graze::detail::bound_overlap<false>(a, b, mass_a, mass_b, take)
+                                : graze::detail::bound_hit<false>(a, b, mass_a, mass_b, time, take);
     s.answered += fused && dekker ? 1 : 0;
     graze::contact<N, T> x;
-    const graze::detail::hit_by_doubles<N, T> task{x, a, b, mass_a, mass_b, time};
+    const graze::detail::contact_by_doubles<N, T> task{x, a, b, mass_a, mass_b, time, overlap};
     const auto judge = [&](parts open_parts) {
         for (int number = 0; number < static_cast<int>(components); ++number) {
             if ((open_parts >> number & 1U) == 0 && (number == 0 || (number - 1) % 3 < N)) {
@@ -115,10 +118,11 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
         }
     };
     if (!heavy_a && !heavy_b) {
-        judge(~graze::detail::part_bits<N>(task(std::false_type{})));
-        judge(~graze::detail::part_bits<N>(task(std::true_type{})));
+        judge(~task(std::false_type{}));
+        judge(~task(std::true_type{}));
     }
-    const parts open_parts = graze::detail::fast_hit(x, a, b, mass_a, mass_b, time);
+    const parts open_parts = graze::detail::fast_contact(x, overlap ? graze::encounter::overlap : graze::encounter::hit,
+                                                         a, b, mass_a, mass_b, time);
     judge(open_parts);
     s.certain += open_parts == 0 ? 1 : 0;
 }

@@ -83,8 +83,8 @@ template <int N, class T>
     with_exact_motion<two_massive_balls<N>>(in, [&](const auto& e) { round_balls(c, wanted, what, e, s); });
 }
 
-// The contact of two balls of which it has been decided what becomes of them;
-// f: what the filter knows of them.
+// The contact of two balls of which it has been decided what becomes of them; f: what the filter knows of them, which
+// is certain of no graze.
 template <int N, class T, class Observer>
 [[nodiscard]] constexpr std::optional<contact<N, T>> contact_of(encounter what, stage decided_by,
                                                                 const filtered_balls& f, const ball<N, T>& a,
@@ -97,9 +97,10 @@ template <int N, class T, class Observer>
     std::optional<contact<N, T>> c(std::in_place);
     parts wanted = all_parts;
     if constexpr (has_error_free_doubles) {
-        if (what == encounter::hit && f.certain && rounds_to_nearest()) [[likely]] {
-            wanted = fast_hit(*c, a, b, effective_mass<double>(a.mass, b.mass), effective_mass<double>(b.mass, a.mass),
-                              root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
+        if (f.certain && rounds_to_nearest()) [[likely]] {
+            wanted = fast_contact(*c, what, a, b, effective_mass<double>(a.mass, b.mass),
+                                  effective_mass<double>(b.mass, a.mass),
+                                  root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
         }
     }
     if (wanted == all_parts) {
@@ -119,9 +120,8 @@ template <int N, class T, class Observer>
 
 } // namespace detail
 
-// The contact of two balls, every component correctly rounded; empty for recede
-// and miss. Throws as classify does, and when a mass is not positive or both
-// are infinite. The observer is told `exact` if integers were needed for the
+// The contact of two balls, every component correctly rounded; empty for recede and miss. Throws as classify does, and
+// when a mass is not positive or both are infinite. The observer is told `exact` if integers were needed for the
 // decision or any component.
 template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>

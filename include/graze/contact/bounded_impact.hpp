@@ -1,0 +1,124 @@
+// The contact of two balls from doubles, each component with a proven error.
+//
+// y = Δx + Δu τ is a sum of two doubles, s = -y·Δu, and then
+//   position  x + u τ        normal  y/R        velocity  u_a + φ_a y/R,  u_b - φ_b y/R,  φ_a = 2 (s/R) m_b/(m_a + m_b)
+// ((13), (20), (23) with (29): ⟨Δu,X̂⟩ = -s/R). Of an overlap τ = 0 and R is |Δx|.
+//
+// take(x, i, j) is called with components i and j, as parts count them, as lanes; take(x, i) with one. If no bounds are
+// known the functions return false and have called nothing. mass_a, mass_b: 1 and 0 where ball a's mass is infinite, 0
+// and 1 where b's.
+#pragma once
+
+#include <graze/contact/lane_steps.hpp>
+
+#include <cmath>
+
+namespace graze::detail {
+
+[[nodiscard, gnu::always_inline]] inline bool is_usable_mass(double mass) noexcept {
+    return mass == 0 || within_powers<-200, 200>(mass);
+}
+
+// y with its low parts, of y2 lane 1 alone, and R = its norm.
+template <bool Fused>
+struct lane_contact {
+    const lane_motion& motion;
+    const lane_displacement<Fused>&y01, &y2;
+    lanes low01, low2;
+    exact_pair<double> R;
+};
+
+// Takes the normal and the velocities. error_of_n: of the normal. spread: at least the relative error of φ + 74 u².
+//
+// φ = 2 (s/R)/(m_a + m_b) m has a relative error of at most that of s + 17.5 u² + 4.1 u² + 17.5 u² + 17 u² + 14 u² <=
+// that of s + 71 u², and a low part of at most 9 u of it.
+template <bool Fused, int N, class T, class F>
+[[gnu::always_inline]] inline void bound_impact(const ball<N, T>& a, const ball<N, T>& b, double mass_a, double mass_b,
+                                                const lane_contact<Fused>& y, const exact_pair<double>& s,
+                                                double error_of_n, double spread, F& take) noexcept {
+    const auto masses = two_sum(mass_a, mass_b);
+    const auto inverse = inverse_of<Fused>({lanes{y.R.value, masses.value}, lanes{y.R.error, masses.error}});
+    const auto per_length = picked(inverse.high, 0, 0);
+    const auto n01 = normal_of(y.y01, y.low01, per_length, both(inverse.low[0]));
+    const auto n_2 = normal_of(y.y2, y.low2, per_length, both(inverse.low[0]));
+    take(bounded<lanes>{n01.high.value, n01.low, both(error_of_n + underflow)}, 7, 8);
+
+    const auto per_radius = times(s, picked(inverse.high, 0), inverse.low[0]);
+    const auto per_mass = times({2 * per_radius.value, 2 * per_radius.error}, picked(inverse.high, 1), inverse.low[1]);
+    const lanes shares{mass_b, -mass_a};
+    const auto product = two_product(as_factor<Fused>(both(per_mass.value)), as_factor<Fused>(shares));
+    const auto phi = as_factor<Fused>(product.value);
+    const lanes phi_low = product.error + per_mass.error * shares;
+    const lanes error = absolute(phi.value) * (2 * error_of_n + spread) + underflow;
+    const auto velocity = [&](const lanes& u, int i, int j, const auto& n) __attribute__((always_inline)) {
+        return bounded_velocity(u, picked(phi, i, j), picked(phi_low, i, j), n, picked(error, i, j));
+    };
+    take(velocity(first_two(a.velocity), 0, 0, n01), 10, 11);
+    take(velocity(first_two(b.velocity), 1, 1, n01), 13, 14);
+    if constexpr (N == 3) {
+        const lane_normal<Fused> n2{picked(n_2.high, 1, 1), picked(n_2.low, 1, 1)};
+        take(bounded<double>{n2.high.value[0], n2.low[0], error_of_n + underflow}, 9);
+        take(velocity(last_two(a.velocity, b.velocity), 0, 1, n2), 12, 15);
+    }
+}
+
+// Two balls that hit (D > 0) near `time`.
+template <bool Fused, int N, class T, class F>
+[[nodiscard, gnu::always_inline]] inline bool bound_hit(const ball<N, T>& a, const ball<N, T>& b, double mass_a,
+                                                        double mass_b, double time, F& take) noexcept {
+    const lane_motion m = lane_motion_of(a, b);
+    const auto r = approach_near<Fused>(m, time);
+    if (!(r.good && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
+        return false;
+    }
+    take(r.time(), 0);
+    take(bounded_position(first_two(a.position), first_two(a.velocity), r), 1, 2);
+    take(bounded_position(first_two(b.position), first_two(b.velocity), r), 4, 5);
+    if constexpr (N == 3) {
+        take(bounded_position(last_two(a.position, b.position), last_two(a.velocity, b.velocity), r), 3, 6);
+    }
+    const lane_contact<Fused> y{
+        m, r.y01, r.yR2, low_at_contact(r.y01, r.t1), low_at_contact(r.yR2, r.t1), {m.xR2.value[0], m.xR2.error[0]}};
+    const auto s = closing_speed(y.y01, y.low01, y.y2, y.low2, m);
+    const double turn = r.per_time * r.error;
+    bound_impact(a, b, mass_a, mass_b, y, s, 2.5 * turn, 0x1p-98 * r.sensitivity + 2 * turn, take);
+    return true;
+}
+
+// Normal and velocities of two balls that overlap and approach.
+//
+// y = Δx exactly, |yl| <= u |yh|. The low terms of |Δx|² add up to at most 5.1 u |Δx|², with at most 6 roundings each,
+// so that it is right to 31 u², relatively. One correction of the root in doubles leaves 15.5 u² of that, 6.3 u² of the
+// next term, (7.1 u)²/8, and 8 u² of roundings: R = |Δx| is right to 30 u². The normal is then right to 8.3 u² + 4.2 u²
+// + 9.2 u² + 30 u² < 2^-100; s to 32 u² R V/s; and χ = R V/s >= 1, so that 32 u² χ + 30 u² + 71 u² + 74 u² <= 2^-98 χ².
+template <bool Fused, int N, class T, class F>
+[[nodiscard, gnu::always_inline]] inline bool bound_overlap(const ball<N, T>& a, const ball<N, T>& b, double mass_a,
+                                                            double mass_b, F& take) noexcept {
+    const lane_motion m = lane_motion_of(a, b);
+    const lane_displacement<Fused> y01{as_factor<Fused>(m.x01.value), m.x01.error, as_factor<Fused>(m.u01.value)};
+    const lane_displacement<Fused> y2{as_factor<Fused>(m.xR2.value), m.xR2.error, as_factor<Fused>(m.u_2.value)};
+    const auto square01 = two_square(y01.high);
+    const auto square2 = two_square(y2.high);
+    const lanes rest01 = square01.error + y01.low * (y01.high.value + y01.high.value + y01.low);
+    const lanes rest2 = square2.error + y2.low * (y2.high.value + y2.high.value + y2.low);
+    const auto plane_sum = two_sum(square01.value[0], square01.value[1]);
+    const auto sum = two_sum(plane_sum.value, square2.value[1]);
+    const double low = (plane_sum.error + sum.error) + ((rest01[0] + rest01[1]) + rest2[1]);
+    const double root = settled(std::sqrt(sum.value));
+    const auto back = two_square(as_factor<Fused>(root));
+    const double rest = settled(settled(sum.value - back.value) - back.error) + low;
+    const lane_contact<Fused> y{m, y01, y2, y01.low, y2.low, fast_two_sum(root, settled(0.5 * rest / root))};
+
+    const auto s = closing_speed(y01, y.low01, y2, y.low2, m);
+    const lanes v01 = m.u01.value * m.u01.value;
+    const double speed2 = v01[0] + v01[1] + m.u_2.value[1] * m.u_2.value[1];
+    const double sensitivity = (sum.value / s.value) * (speed2 / s.value); // χ²
+    if (!(within_powers<-200, 200>(sum.value) && within_powers<-200, 200>(speed2) && s.value > 0 &&
+          sensitivity < 0x1p64 && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
+        return false;
+    }
+    bound_impact(a, b, mass_a, mass_b, y, s, 0x1p-99, 0x1p-98 * sensitivity, take);
+    return true;
+}
+
+} // namespace graze::detail
