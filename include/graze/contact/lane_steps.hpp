@@ -115,11 +115,11 @@ template <bool Fused>
 
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline lanes first_two(const vec<N, T>& x) noexcept {
-    return lanes{static_cast<double>(x[0]), static_cast<double>(x[1])};
+    return lanes{static_cast<double>(as_stored(x[0])), static_cast<double>(as_stored(x[1]))};
 }
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline lanes last_two(const vec<N, T>& x, const vec<N, T>& y) noexcept {
-    return lanes{static_cast<double>(x[N - 1]), static_cast<double>(y[N - 1])};
+    return lanes{static_cast<double>(as_stored(x[N - 1])), static_cast<double>(as_stored(y[N - 1]))};
 }
 
 } // namespace graze::detail

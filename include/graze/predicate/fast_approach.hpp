@@ -21,12 +21,12 @@ struct lane_motion {
 
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline lane_motion lane_motion_of(const ball<N, T>& a, const ball<N, T>& b) noexcept {
-    const auto at = [](const vec<N, T>& x, int i) { return static_cast<double>(x[i]); };
+    const auto at = [](const vec<N, T>& x, int i) { return static_cast<double>(as_stored(x[i])); };
     const auto third = [&](const vec<N, T>& x) { return N == 3 ? at(x, N - 1) : 0.0; };
     lane_motion m;
     m.x01 = two_difference(lanes{at(a.position, 0), at(a.position, 1)}, lanes{at(b.position, 0), at(b.position, 1)});
-    m.xR2 = two_difference(lanes{static_cast<double>(a.radius), third(a.position)},
-                           lanes{-static_cast<double>(b.radius), third(b.position)});
+    m.xR2 = two_difference(lanes{static_cast<double>(as_stored(a.radius)), third(a.position)},
+                           lanes{-static_cast<double>(as_stored(b.radius)), third(b.position)});
     m.u01 = two_difference(lanes{at(a.velocity, 0), at(a.velocity, 1)}, lanes{at(b.velocity, 0), at(b.velocity, 1)});
     m.u_2 = two_difference(lanes{0, third(a.velocity)}, lanes{0, third(b.velocity)});
     return m;
