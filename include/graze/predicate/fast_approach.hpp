@@ -8,6 +8,7 @@
 #include <graze/filter/static_filter.hpp>
 #include <graze/number/environment.hpp>
 #include <graze/number/error_free.hpp>
+#include <graze/number/fence.hpp>
 #include <graze/number/lanes.hpp>
 #include <graze/predicate/rounding_test.hpp>
 #include <graze/shape/ball.hpp>
