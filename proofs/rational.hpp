@@ -15,7 +15,10 @@ namespace graze::proof {
 class rational {
   public:
     constexpr rational(int value = 0) : numerator_(value) {}
-    constexpr rational(std::int64_t numerator, std::int64_t denominator) {
+    constexpr rational(std::int64_t numerator, std::int64_t denominator) : numerator_(numerator) {
+        if (denominator == 1) { // most are whole: compilers count every step
+            return;
+        }
         if (denominator == 0) {
             throw std::domain_error("rational: division by zero");
         }
@@ -31,7 +34,8 @@ class rational {
 
     [[nodiscard]] constexpr rational operator-() const { return {-numerator_, denominator_}; }
     [[nodiscard]] friend constexpr rational operator+(const rational& x, const rational& y) {
-        const std::int64_t divisor = std::gcd(x.denominator_, y.denominator_);
+        const std::int64_t divisor =
+            x.denominator_ == 1 || y.denominator_ == 1 ? 1 : std::gcd(x.denominator_, y.denominator_);
         const std::int64_t left = product(x.numerator_, y.denominator_ / divisor);
         const std::int64_t right = product(y.numerator_, x.denominator_ / divisor);
         if (right > 0 ? left > largest - right : left < -largest - right) {

@@ -12,13 +12,16 @@ foreach(script IN LISTS scripts)
         message(FATAL_ERROR "gappa does not prove ${script}:\n${said}")
     endif()
     string(REPLACE "Section Generated_by_Gappa." [[
-Require Import Reals.
-Lemma quotient_error : forall x y t m : R,
+Require Reals.
+Module quotient.
+Import Reals.
+Lemma error : forall x y t m : R,
   (t <> 0 -> m <> 0 -> x / t - y / m = (x - y - y / m * (t - m)) / t)%R.
 Proof. intros; field; split; assumption. Qed.
+End quotient.
 Section Generated_by_Gappa.]] proof "${proof}")
     string(REGEX REPLACE "Hypothesis (a[0-9]+) : ([^\n]*)\\.\n"
-        "Lemma \\1 : \\2.\nProof. intros; apply quotient_error; assumption. Qed.\n" proof "${proof}")
+        "Lemma \\1 : \\2.\nProof. intros; apply quotient.error; assumption. Qed.\n" proof "${proof}")
     if(proof MATCHES "Hypothesis|Axiom|Admitted")
         message(FATAL_ERROR "the proof of ${script} supposes something")
     endif()
