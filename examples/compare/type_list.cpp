@@ -9,6 +9,7 @@ namespace compare {
 
 std::vector<measurable> all_types() {
     std::vector<measurable> list;
+    list.push_back(types::of_graze());
     list.push_back(types::of_float());
     list.push_back(types::of_double());
     list.push_back(types::of_long_double());

@@ -1,6 +1,7 @@
 // The library. Adapters for other libraries' number types (graze/number/boost.hpp, gmp.hpp, ...) are included by name.
 #pragma once
 
+#include <graze/contact/collide.hpp>
 #include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/predicate/classify_numbers.hpp>

@@ -23,5 +23,6 @@ measurable of_lazy_exact();        //
 measurable of_interval();          //
 measurable of_core_expr();         //
 measurable of_fixed_point();       // of examples/
+measurable of_graze();             // graze::collide instead of formulas in a type
 
 } // namespace compare::types
