@@ -47,30 +47,39 @@ template <class T, class Z, class A, class H, class D>
 template <class T, class M>
 class exact_approach {
     using Z = surd_integer_for<M>;
-    using path_type = decltype(path_until<T, Z>(coefficient_a{}(std::declval<M>()), coefficient_h{}(std::declval<M>()),
-                                                Z(), scales{}));
+    template <class F>
+    using value = decltype(F{}(std::declval<M>()));
+    using path_type = exact_path<T, Z, value<coefficient_a>, value<coefficient_h>>;
 
   public:
     constexpr exact_approach(const M& m, scales units)
-        : path(path_until<T, Z>(coefficient_a{}(m), coefficient_h{}(m), discriminant_lagrange{}(m), units)), m_(m) {}
+        : m_(m), discriminant_(discriminant_lagrange{}(m)),
+          path(path_until<T, Z>(coefficient_a{}(m), coefficient_h{}(m), discriminant_, units)) {}
 
+  private:
+    const M& m_;
+    value<discriminant_lagrange> discriminant_;
+
+  public:
     path_type path;
 
     [[nodiscard]] constexpr T normal(int i) const {
         return round_to<T>(across_[i], -m_.du[i], path.discriminant, path.a * m_.R, 0);
     }
 
-    // Of the ball whose velocity was u. share: twice the other's mass, for ball b its negative; sum: of the masses.
-    template <class I, class S, class W>
-    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
-        const auto r = sum * (path.a * (m_.R * m_.R));
-        const auto d = discriminant_lagrange{}(m_);
-        return round_to<T>(r * u - share * (d * m_.du[i]), share * across_[i], path.discriminant, r,
-                           path.units.velocity);
+    // What velocities are divided by; sum: of the masses.
+    template <class W>
+    [[nodiscard]] constexpr auto velocity_divisor(const W& sum) const {
+        return sum * (path.a * (m_.R * m_.R));
+    }
+    // Of the ball whose velocity was u. share: twice the other's mass, for ball b its negative.
+    template <class I, class S, class R>
+    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const R& divisor) const {
+        return round_to<T>(divisor * u - share * (discriminant_ * m_.du[i]), share * across_[i], path.discriminant,
+                           divisor, path.units.velocity);
     }
 
   private:
-    const M& m_;
     decltype(position_at(std::declval<path_type>().a * std::declval<M>().dx, std::declval<M>().du,
                          -std::declval<path_type>().h)) across_ = position_at(path.a * m_.dx, m_.du, -path.h);
 };
@@ -83,15 +92,15 @@ class exact_overlap {
   public:
     constexpr exact_overlap(const M& m, scales units) : m_(m), units_(units) {}
 
-    [[nodiscard]] constexpr T normal(int i) const {
-        const radicand<Z> root(square_);
-        return round_to<T>(Z(0), m_.dx[i], root, square_, 0);
-    }
+    [[nodiscard]] constexpr T normal(int i) const { return round_to<T>(Z(0), m_.dx[i], root_, square_, 0); }
 
-    template <class I, class S, class W>
-    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const W& sum) const {
-        const auto r = sum * square_;
-        return round_to<T>(r * u - share * (h_ * m_.dx[i]), Z(0), radicand<Z>(), r, units_.velocity);
+    template <class W>
+    [[nodiscard]] constexpr auto velocity_divisor(const W& sum) const {
+        return sum * square_;
+    }
+    template <class I, class S, class R>
+    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const R& divisor) const {
+        return round_to<T>(divisor * u - share * (h_ * m_.dx[i]), Z(0), radicand<Z>(), divisor, units_.velocity);
     }
 
   private:
@@ -99,6 +108,7 @@ class exact_overlap {
     scales units_;
     decltype(coefficient_h{}(std::declval<M>())) h_ = coefficient_h{}(m_);
     decltype(graze::squared_norm(std::declval<M>().dx)) square_ = graze::squared_norm(m_.dx);
+    radicand<Z> root_{square_};
 };
 
 // Two balls in integers, with their masses; (1, 0) where the first one is infinite.
@@ -116,13 +126,14 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     const auto twice_b = graze::twice(e.mass_b);
     const auto sum = e.mass_a + e.mass_b;
     const auto velocities = [&](const auto& exact) {
+        const auto divisor = exact.velocity_divisor(sum);
         if (graze::sign(e.mass_b) != 0) {
             fill(c.velocity_a, wanted, part::velocity_a,
-                 [&](int i) { return exact.velocity(e.velocity_a[i], i, twice_b, sum); });
+                 [&](int i) { return exact.velocity(e.velocity_a[i], i, twice_b, divisor); });
         }
         if (graze::sign(e.mass_a) != 0) {
             fill(c.velocity_b, wanted, part::velocity_b,
-                 [&](int i) { return exact.velocity(e.velocity_b[i], i, -twice_a, sum); });
+                 [&](int i) { return exact.velocity(e.velocity_b[i], i, -twice_a, divisor); });
         }
     };
     if (what == encounter::overlap) {

@@ -81,6 +81,7 @@ struct edge_turned { // u × e
         return graze::cross(m.u, m.e[1]);
     }
 };
+using edge_foot_at_root = value_at_root<edge_a, edge_h, edge_foot<0>, edge_foot_speed>;
 
 // A ball that meets the view's edge with hit or graze.
 template <class T, class M>
@@ -99,10 +100,9 @@ class exact_edge {
     // corner: the view's.
     template <class I>
     [[nodiscard]] constexpr T point(const I& corner, int i) const {
-        const auto r = path.a * square_;
         const auto& e = m_.e[1][i];
-        return round_to<T>(r * corner + value_at_root<edge_a, edge_h, edge_foot<0>, edge_foot_speed>{}(m_)*e,
-                           -(edge_foot_speed{}(m_)*e), path.discriminant, r, path.units.length);
+        return round_to<T>(per_point_ * corner + foot_ * e, -(speed_ * e), path.discriminant, per_point_,
+                           path.units.length);
     }
 
     [[nodiscard]] constexpr T normal(int i) const {
@@ -111,16 +111,19 @@ class exact_edge {
     }
 
     [[nodiscard]] constexpr T velocity(int i) const {
-        const auto r = path.a * (square_ * (m_.r * m_.r));
-        const auto reduced = edge_reduced_discriminant{}(m_);
-        return round_to<T>(r * m_.u[i] - graze::twice(reduced * across_[i]), graze::twice(triple_ * turned_[i]),
-                           path.discriminant, r, path.units.velocity);
+        return round_to<T>(per_velocity_ * m_.u[i] - graze::twice(reduced_ * across_[i]),
+                           graze::twice(triple_ * turned_[i]), path.discriminant, per_velocity_, path.units.velocity);
     }
 
   private:
     const M& m_;
     decltype(graze::squared_norm(std::declval<M>().e[1])) square_ = graze::squared_norm(m_.e[1]);
     value<edge_triple> triple_ = edge_triple{}(m_);
+    value<edge_reduced_discriminant> reduced_ = edge_reduced_discriminant{}(m_);
+    value<edge_foot_speed> speed_ = edge_foot_speed{}(m_);
+    value<edge_foot_at_root> foot_ = edge_foot_at_root{}(m_);
+    decltype(std::declval<path_type>().a * square_) per_point_ = path.a * square_;
+    decltype(per_point_ * (std::declval<M>().r * std::declval<M>().r)) per_velocity_ = per_point_ * (m_.r * m_.r);
     value<edge_turned> turned_ = edge_turned{}(m_);
     decltype(graze::cross(std::declval<M>().e[1], std::declval<value<edge_turned>>())) across_ =
         graze::cross(m_.e[1], turned_);

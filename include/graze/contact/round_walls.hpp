@@ -38,8 +38,8 @@ constexpr void round_overlap(wall_contact<N, T>& c, parts wanted, const vec<N, X
     const relative_motion m{apart, u, r};
     const exact_overlap<T, std::remove_cvref_t<decltype(m)>> exact(m, units);
     fill(c.normal, wanted, wall_part::normal, [&](int i) { return exact.normal(i); });
-    fill(c.velocity, wanted, wall_part::velocity,
-         [&](int i) { return exact.velocity(u[i], i, two_like(r), one_like(r)); });
+    const auto divisor = exact.velocity_divisor(one_like(r));
+    fill(c.velocity, wanted, wall_part::velocity, [&](int i) { return exact.velocity(u[i], i, two_like(r), divisor); });
 }
 
 // m: seen from the view in which the edge is the edge λ_0 = 0.
@@ -92,8 +92,9 @@ constexpr void round_corner(wall_contact<N, T>& c, parts wanted, encounter what,
         fill(c.normal, wanted, wall_part::normal, [&](int i) { return exact.normal(i); });
     }
     if (what == encounter::hit) {
+        const auto divisor = exact.velocity_divisor(one_like(m.r));
         fill(c.velocity, wanted, wall_part::velocity,
-             [&](int i) { return exact.velocity(m.u[i], i, two_like(m.r), one_like(m.r)); });
+             [&](int i) { return exact.velocity(m.u[i], i, two_like(m.r), divisor); });
     }
 }
 

@@ -40,7 +40,7 @@ inline constexpr std::uint64_t no_bits = ~std::uint64_t{0}; // the error of what
 
 // |x| of a negative x is one more than its complement.
 template <int Bits>
-[[nodiscard]] constexpr leading leading_of(const integer<Bits>& x) noexcept {
+[[nodiscard, gnu::noinline]] constexpr leading leading_of(const integer<Bits>& x) noexcept {
     const bool negative = x.is_negative();
     const std::uint64_t flip = negative ? ~std::uint64_t{0} : 0;
     int top = integer<Bits>::limbs - 1;
@@ -59,7 +59,7 @@ template <int Bits>
 // The highest digit may be ±1 and the next one of the other sign, so that the three highest together give 64 bits; all
 // below them amount to less than one unit of the third.
 template <int Bits>
-[[nodiscard]] constexpr leading leading_of(const sparse_integer<Bits>& x) noexcept {
+[[nodiscard, gnu::noinline]] constexpr leading leading_of(const sparse_integer<Bits>& x) noexcept {
     const int count = x.count();
     if (count == 0) {
         return {};

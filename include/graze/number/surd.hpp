@@ -12,7 +12,7 @@
 #include <graze/number/sqrt_extension.hpp>
 
 #include <algorithm>
-#include <type_traits>
+#include <optional>
 
 namespace graze {
 
@@ -133,27 +133,59 @@ struct radicand {
     constexpr explicit radicand(const Z& d) noexcept : value(d), root(detail::square_root(detail::leading_of(value))) {}
 };
 
-// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, |scale| <= 2098. An exact zero gives +0.
+namespace detail {
+
+// |(p + q√d)/r| · 2^scale rounded, by the leading bits of p, q, √d and r where those leave no doubt.
+template <class T>
+[[nodiscard, gnu::noinline]] constexpr std::optional<T>
+round_leading(const leading& p, const leading& q, const leading& root, const leading& r, int scale, rounding mode) {
+    leading value = p + q * root;
+    if (value.significand == 0 || !value.is_within(largest_error<T>)) {
+        return std::nullopt;
+    }
+    value = value / r;
+    value.exponent += scale;
+    bool doubtful = false;
+    const T nearest = round_estimate<T>(value, mode, [&](std::uint64_t, int) {
+        doubtful = true;
+        return 0;
+    });
+    return doubtful ? std::nullopt : std::optional<T>(nearest);
+}
+
+// The same in all cases.
 template <class T, class Z>
-[[nodiscard, gnu::noinline]] constexpr T round_to(const std::type_identity_t<Z>& p, const std::type_identity_t<Z>& q,
-                                                  const radicand<Z>& d, const std::type_identity_t<Z>& r, int scale,
-                                                  rounding mode = rounding::nearest) {
-    const detail::leading first = detail::leading_of(p);
-    const detail::leading second = detail::leading_of(q) * d.root;
-    detail::leading value = first + second;
-    if (!value.is_within(detail::largest_error<T>)) {
-        value = detail::estimate_by_norm(detail::to_sparse(p), detail::to_sparse(q), detail::to_sparse(d.value), first,
-                                         second);
+[[nodiscard, gnu::noinline]] constexpr T round_by_sign(const Z& p, const Z& q, const radicand<Z>& d, const Z& r,
+                                                       int scale, rounding mode) {
+    const leading first = leading_of(p);
+    const leading second = leading_of(q) * d.root;
+    leading value = first + second;
+    if (!value.is_within(largest_error<T>)) {
+        value = estimate_by_norm(to_sparse(p), to_sparse(q), to_sparse(d.value), first, second);
     }
     if (value.significand == 0) {
-        return detail::from_bits<T>(0, false);
+        return from_bits<T>(0, false);
     }
-    value = value / detail::leading_of(r);
+    value = value / leading_of(r);
     value.exponent += scale;
-    return detail::round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
-        return detail::against_boundary(detail::to_sparse(p), detail::to_sparse(q), detail::to_sparse(d.value),
-                                        detail::to_sparse(r), value.negative, scale, m, exponent);
+    return round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
+        return against_boundary(to_sparse(p), to_sparse(q), to_sparse(d.value), to_sparse(r), value.negative, scale, m,
+                                exponent);
     });
+}
+
+} // namespace detail
+
+// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, |scale| <= 2098; p, q and r of any width up to Z's. An
+// exact zero gives +0.
+template <class T, class P, class Q, class Z, class R>
+[[nodiscard]] constexpr T round_to(const P& p, const Q& q, const radicand<Z>& d, const R& r, int scale,
+                                   rounding mode = rounding::nearest) {
+    if (const auto certain = detail::round_leading<T>(detail::leading_of(p), detail::leading_of(q), d.root,
+                                                      detail::leading_of(r), scale, mode)) {
+        return *certain;
+    }
+    return detail::round_by_sign<T, Z>(p, q, d, r, scale, mode);
 }
 
 } // namespace graze
