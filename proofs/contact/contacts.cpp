@@ -46,6 +46,10 @@ static_assert(third.time == 0x1.555556p-2F && third.point == vec<2, float>{0, 0}
 constexpr auto diagonal = *collide(ball<2>{{0, 2}, {0, -1}, 1}, plane<2>{{0, 0}, {3, 3}});
 static_assert(diagonal.normal == point(0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1));
 static_assert(diagonal.velocity == point(1, 0));
+constexpr auto slanted = *collide(ball<2>{{0, 5}, {3, -1}, 2}, plane<2>{{7, 0}, {0, 2}});
+static_assert(slanted == wall_contact<2>{3, point(9, 2), point(9, 0), point(0, 1), point(3, 1), feature::face});
+constexpr auto sunk = *collide(ball<2>{{4, 1}, {3, -1}, 2}, plane<2>{{7, 0}, {0, 2}});
+static_assert(sunk == wall_contact<2>{0, point(4, 1), point(4, 0), point(0, 1), point(3, 1), feature::face});
 
 // A wall's face, an edge and a corner.
 constexpr wall<3> square{{5, -3, -3}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};
