@@ -98,7 +98,7 @@ class rounded_source {
     [[nodiscard]] T scaled(kind k, T x) {
         is_used_[static_cast<std::size_t>(k)] = true;
         double& scale = scales_[static_cast<std::size_t>(k)];
-        scale = std::max(scale, static_cast<double>(std::fabs(x)));
+        scale = std::max(scale, std::fabs(static_cast<double>(x)));
         return x;
     }
 
