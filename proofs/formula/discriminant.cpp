@@ -3,6 +3,8 @@
 
 #include "../variables.hpp"
 
+#include <cstdint>
+
 namespace {
 
 using namespace graze;
@@ -79,6 +81,7 @@ constexpr bool proved() {
         return discriminant_textbook{}(q) == letters(4) * discriminant_halved{}(q);
     }());
     static_assert(halved(general<N>()) == lagrange(general<N>()), "Lagrange's identity");
+    static_assert(discriminant_kahan{}(quadratic_of(general<N>())) == halved(general<N>()));
 
     // Positions and velocities of the observer's own don't matter.
     static_assert(
@@ -175,5 +178,59 @@ static_assert([] {
     const letters s = a * t() + h;
     return a * (a * t() * t() + twice(h) * t() + c) == s * s - discriminant_halved{}(q);
 }());
+
+// Kahan's form, of which exactly nothing but h² - ac is left, is for arithmetic that rounds: in numbers of 8 bits it is
+// right to 1.5 units in the last place, where h² - ac as it stands may keep no bit.
+struct coarse {
+    std::int64_t value = 0;
+    constexpr coarse(int x) : value(rounded(x)) {}
+    static constexpr coarse of(std::int64_t exact) {
+        coarse x(0);
+        x.value = rounded(exact);
+        return x;
+    }
+    static constexpr std::int64_t rounded(std::int64_t x) { // to nearest
+        std::int64_t unit = 1;
+        while ((x < 0 ? -x : x) >= 256 * unit) {
+            unit *= 2;
+        }
+        return (x < 0 ? -1 : 1) * (((x < 0 ? -x : x) + unit / 2) / unit) * unit;
+    }
+    constexpr coarse operator-() const { return of(-value); }
+    friend constexpr coarse operator+(const coarse& x, const coarse& y) { return of(x.value + y.value); }
+    friend constexpr coarse operator-(const coarse& x, const coarse& y) { return of(x.value - y.value); }
+    friend constexpr coarse operator*(const coarse& x, const coarse& y) { return of(x.value * y.value); }
+};
+
+} // namespace
+
+template <>
+struct graze::number_traits<coarse> {
+    static constexpr const char* name = "coarse";
+    static constexpr bool is_exact = false;
+    static constexpr int digits = 8;
+    static constexpr coarse fma(const coarse& x, const coarse& y, const coarse& z) {
+        return coarse::of(x.value * y.value + z.value);
+    }
+};
+
+namespace {
+
+// Of 8-bit numbers a and c with products near 151² and near 200²: |computed - exact| <= 1.5 · 2^-7 |exact|.
+template <class F>
+constexpr bool is_right_near(F f, int h) {
+    for (int a = h - 20; a < h + 20; ++a) {
+        for (int c = h - 20; c < h + 20; ++c) {
+            const std::int64_t exact = h * h - a * c;
+            const std::int64_t error = f(quadratic{coarse(a), coarse(h), coarse(c)}).value - exact;
+            if ((error < 0 ? -error : error) * 256 > 3 * (exact < 0 ? -exact : exact)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+static_assert(is_right_near(discriminant_kahan{}, 151) && is_right_near(discriminant_kahan{}, 200));
+static_assert(!is_right_near(discriminant_halved{}, 151));
 
 } // namespace

@@ -184,6 +184,10 @@ struct number_traits<polynomial<Terms>> {
     static constexpr bool is_exact = true;
     static constexpr int digits = 0;
     static constexpr int sign(const polynomial<Terms>& x) { return x.sign(); }
+    static constexpr polynomial<Terms> fma(const polynomial<Terms>& x, const polynomial<Terms>& y,
+                                           const polynomial<Terms>& z) {
+        return x * y + z;
+    }
 };
 
 } // namespace graze
