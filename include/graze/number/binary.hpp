@@ -54,13 +54,12 @@ template <std::signed_integral T>
 template <class T>
 inline constexpr bool is_wide_integer = std::signed_integral<T> && sizeof(T) == 8;
 
-// Whether x is so small that a mode may read it as 0.
+// Whether x is so small that a mode may read it as 0. By one range of the bits: clang makes a comparison of all of them
+// but the sign with 0 a comparison of x itself, which then reads it as 0.
 [[nodiscard]] constexpr bool is_subnormal(const double& x) noexcept {
-    return (bits_of(x) & 0x7ff0000000000000U) == 0 && bits_of(x) << 1 != 0;
+    return (bits_of(x) << 1 >> 1) - 1 < 0xfffffffffffffU;
 }
-[[nodiscard]] constexpr bool is_subnormal(const float& x) noexcept {
-    return (bits_of(x) & 0x7f800000U) == 0 && bits_of(x) << 1 != 0;
-}
+[[nodiscard]] constexpr bool is_subnormal(const float& x) noexcept { return (bits_of(x) << 1 >> 1) - 1 < 0x7fffffU; }
 
 // x as significand · 2^exponent with the significand as it is stored.
 [[nodiscard]] constexpr binary split(const double& x) noexcept {

@@ -57,7 +57,12 @@ template <class I>
     return normalised({value, error * (1 + 0x1p-48), x.exponent + y.exponent});
 }
 
+[[nodiscard]] constexpr bool is_zero(const estimate& x) noexcept { return x.value == 0 && x.error == 0; }
+
 [[nodiscard]] constexpr estimate operator+(const estimate& x, const estimate& y) noexcept {
+    if (is_zero(x) || is_zero(y)) { // whose exponent means nothing
+        return is_zero(x) ? y : x;
+    }
     const int exponent = x.exponent > y.exponent ? x.exponent : y.exponent;
     const estimate a = at_exponent(x, exponent);
     const estimate b = at_exponent(y, exponent);

@@ -21,7 +21,7 @@ struct binary_format {
     int highest;
 
     // The bits of +∞; the magnitude of a number is less as its bits are less.
-    [[nodiscard]] constexpr std::uint64_t infinity() const noexcept {
+    [[nodiscard]] constexpr std::uint64_t infinite_bits() const noexcept {
         return static_cast<std::uint64_t>(highest - lowest + 2) << (precision - 1);
     }
     // The bits of m · 2^exponent, lowest <= exponent, where m < 2^precision, and m >= 2^(precision - 1) unless the
@@ -47,7 +47,7 @@ struct cut_off {
 // subnormal to the normal numbers and from the largest one to infinity.
 [[nodiscard]] constexpr std::uint64_t rounded_bits(const binary_format& format, const cut_off& x, bool negative,
                                                    rounding mode) noexcept {
-    const std::uint64_t infinity = format.infinity();
+    const std::uint64_t infinity = format.infinite_bits();
     const bool away = mode == (negative ? rounding::downward : rounding::upward);
     std::uint64_t bits = infinity;
     if (x.exponent + 1 <= format.highest) {
