@@ -2,6 +2,7 @@
 #include "adapter.hpp"
 
 #include <graze/formula/solve.hpp>
+#include <graze/number/bounded_word.hpp>
 #include <graze/number/double_word.hpp>
 
 #include <families/random.hpp>
@@ -131,6 +132,42 @@ TEST_CASE("constants are the same numbers") {
     CHECK(root == sqrt(two));
     constexpr auto product = double_word::product(0x1.921fb54442d18p1, 0x1.5bf0a8b145769p1);
     CHECK(product == double_word::product(0x1.921fb54442d18p1, 0x1.5bf0a8b145769p1));
+}
+
+TEST_CASE("bounded words know how wrong they can be") {
+    using graze::detail::bounded_word;
+    const auto holds = [](const bounded_word& x, const mpq_class& truth) {
+        return std::isfinite(x.error()) && abs(exact(x.value()) - truth) <= exact(x.error());
+    };
+    const auto is_close = [](const bounded_word& x) { return x.error() <= 0x1p-80 * std::fabs(x.value().high()); };
+    int close = 0;
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        families::random r(4, i);
+        const double p = draw(r), q = draw(r), s = draw(r), t = draw(r);
+        const auto a = bounded_word::difference(p, q);
+        const mpq_class x = exact(p) - exact(q);
+        const bounded_word b(s), c(t);
+        const bounded_word sum = a * b + c;
+        const mpq_class y = x * exact(s) + exact(t);
+        CHECK(holds(sum, y));
+        const bounded_word lost = sum - a * b - c; // cancels
+        CHECK(holds(lost, 0));
+        CHECK((lost.error() == 0 || !lost.has_certain_sign()));
+        const bounded_word product = sum * sum;
+        CHECK(holds(product, y * y));
+        if (y != 0) {
+            CHECK(holds(a / sum, x / y));
+            CHECK(holds(c / product, exact(t) / (y * y)));
+            const bounded_word root = sqrt(product);
+            CHECK(holds(root, abs(y)));
+            close += is_close(c / root) ? 1 : 0;
+        }
+        const bounded_word none = b * (c - c);
+        CHECK((none.value().high() == 0 && none.error() == 0));
+    }
+    CHECK(close > 19000);
+    CHECK(!std::isfinite((bounded_word(1) / bounded_word(0)).error()));
+    CHECK(!std::isfinite(sqrt(bounded_word(-1)).error()));
 }
 
 // The formulas as they are: |Δx + Δu τ| = R to 2^-95 of the lengths, where doubles leave 2^-45.

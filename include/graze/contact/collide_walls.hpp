@@ -1,6 +1,7 @@
 // When, where and how a ball meets a plane or a wall and leaves it, every number correctly rounded.
 #pragma once
 
+#include <graze/contact/fast_face.hpp>
 #include <graze/contact/round_walls.hpp>
 #include <graze/predicate/classify_walls.hpp>
 
@@ -51,10 +52,12 @@ template <class P, int N, class T, class Shape>
 }
 
 // The contact of a ball for which it has been decided what becomes of it.
-template <class P, int N, class T, class Shape>
+template <class P, int N, class T, class Shape, class Observer>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> contact_of(P pair, const wall_encounter& found,
-                                                                     const ball<N, T>& b, const Shape& shape) {
+                                                                     stage decided_by, const ball<N, T>& b,
+                                                                     const Shape& shape, Observer&& observer) {
     if (!is_collision(found.what)) {
+        observer(decided_by);
         return std::nullopt;
     }
     std::optional<wall_contact<N, T>> c(std::in_place);
@@ -63,7 +66,17 @@ template <class P, int N, class T, class Shape>
     if (found.what == encounter::overlap) {
         c->position = with_plain_zeros(b.position);
     }
-    complete(pair, *c, all_parts, found.what, found.index, b, shape);
+    parts wanted = all_parts;
+    if constexpr (has_error_free_doubles) {
+        if (!std::is_constant_evaluated() && found.what == encounter::hit && found.where == feature::face &&
+            rounds_to_nearest()) {
+            wanted = fast_face(*c, b, shape);
+        }
+    }
+    if (wanted != 0) {
+        complete(pair, *c, wanted, found.what, found.index, b, shape);
+    }
+    observer(wanted != 0 ? stage::exact : decided_by);
     return c;
 }
 
@@ -78,8 +91,7 @@ requires is_binary_input<T>
                                                                   Observer&& observer = {}) {
     auto decided_by = stage::filter;
     const encounter what = classify(b, p, [&](stage s) { decided_by = s; });
-    observer(is_collision(what) ? stage::exact : decided_by);
-    return detail::contact_of(detail::ball_and_plane<N>{}, {what, feature::face, 0}, b, p);
+    return detail::contact_of(detail::ball_and_plane<N>{}, {what, feature::face, 0}, decided_by, b, p, observer);
 }
 
 // The contact of a ball and a wall, at its face, an edge or a corner, whichever is met first; empty for recede and
@@ -90,8 +102,7 @@ requires is_binary_input<T>
                                                                   Observer&& observer = {}) {
     auto decided_by = stage::filter;
     const wall_encounter found = detail::decide_wall(b, w, [&](stage s) { decided_by = s; });
-    observer(is_collision(found.what) ? stage::exact : decided_by);
-    return detail::contact_of(detail::ball_and_wall<N>{}, found, b, w);
+    return detail::contact_of(detail::ball_and_wall<N>{}, found, decided_by, b, w, observer);
 }
 
 } // namespace graze
