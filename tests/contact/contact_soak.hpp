@@ -6,7 +6,9 @@
 #include "judge.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace contact_soak {
 
@@ -31,23 +33,74 @@ template <class T>
 [[gnu::noinline]] T to_number(double x) {
     return static_cast<T>(x);
 }
+
+// The power of two by which numbers of one kind are scaled for T: what is far too large or too small for it comes to
+// the end of its range, the smallest bit to that of the subnormal numbers.
+template <class T>
+class fitting {
+  public:
+    template <int N>
+    void see(const graze::vec<N, double>& x) {
+        for (int i = 0; i < N; ++i) {
+            see(x[i]);
+        }
+    }
+    void see(double x) {
+        if (x != 0 && std::isfinite(x)) {
+            int exponent = 0;
+            const auto bits = static_cast<std::uint64_t>(std::ldexp(std::fabs(std::frexp(x, &exponent)), 53));
+            top_ = std::max(top_, exponent);
+            bottom_ = std::min(bottom_, exponent - 53 + std::countr_zero(bits));
+        }
+    }
+    [[nodiscard]] int power() const {
+        using limits = std::numeric_limits<T>;
+        if (sizeof(T) == sizeof(double) || (top_ >= limits::min_exponent && top_ <= limits::max_exponent)) {
+            return 0;
+        }
+        const int highest = limits::max_exponent - 3 - top_;
+        return top_ > 0 ? highest : std::min(highest, limits::min_exponent - limits::digits - bottom_);
+    }
+
+  private:
+    int top_ = std::numeric_limits<int>::min(), bottom_ = std::numeric_limits<int>::max();
+};
+
+// A pair in T.
 template <class T, int N>
-graze::vec<N, T> to(const graze::vec<N, double>& x) {
-    return graze::make_vec<N>([&](int i) { return to_number<T>(x[i]); });
-}
+struct pair_in {
+    graze::ball<N, T> a, b;
+    graze::plane<N, T> plane;
+    graze::wall<N, T> wall;
+};
+
 template <class T, int N>
-graze::ball<N, T> to(const graze::ball<N, double>& b) {
-    return {to<T>(b.position), to<T>(b.velocity), to_number<T>(b.radius), to_number<T>(b.mass)};
-}
-template <class T, int N>
-graze::plane<N, T> to(const graze::plane<N, double>& p) {
-    return {to<T>(p.point), to<T>(p.normal)};
-}
-template <class T, int N>
-graze::wall<N, T> to(const graze::wall<N, double>& w) {
-    graze::wall<N, T> r{to<T>(w.corner), {}};
-    for (std::size_t i = 0; i < w.edge.size(); ++i) {
-        r.edge[i] = to<T>(w.edge[i]);
+pair_in<T, N> to(const families::pair_of_doubles<N>& pair) {
+    fitting<T> length, velocity, normal;
+    for (const auto* b : {&pair.a, &pair.b}) {
+        length.see(b->position);
+        length.see(b->radius);
+        velocity.see(b->velocity);
+    }
+    length.see(pair.plane.point);
+    length.see(pair.wall.corner);
+    for (const auto& e : pair.wall.edge) {
+        length.see(e);
+    }
+    normal.see(pair.plane.normal);
+    const auto vector = [](const graze::vec<N, double>& x, const fitting<T>& kind) {
+        return graze::make_vec<N>([&](int i) { return to_number<T>(std::ldexp(x[i], kind.power())); });
+    };
+    const auto ball = [&](const graze::ball<N, double>& b) {
+        return graze::ball<N, T>{vector(b.position, length), vector(b.velocity, velocity),
+                                 to_number<T>(std::ldexp(b.radius, length.power())), to_number<T>(b.mass)};
+    };
+    pair_in<T, N> r{ball(pair.a),
+                    ball(pair.b),
+                    {vector(pair.plane.point, length), vector(pair.plane.normal, normal)},
+                    {vector(pair.wall.corner, length), {}}};
+    for (std::size_t i = 0; i < pair.wall.edge.size(); ++i) {
+        r.wall.edge[i] = vector(pair.wall.edge[i], length);
     }
     return r;
 }
@@ -113,16 +166,16 @@ tally run(std::size_t family, std::uint64_t seed, std::uint64_t first, std::uint
     tally seen;
     const families::family& f = soak::families_drawn[family];
     for (std::uint64_t index = first; seen.contacts < count && index < first + 16 * count; ++index) {
-        const auto pair = f.draw<N>(seed, index);
+        const auto drawn = f.draw<N>(seed, index);
+        const auto pair = to<T>(drawn);
         ++seen.pairs;
-        const auto a = to<T>(pair.a);
         std::string wrong;
-        if (pair.kind == families::pair_kind::ball_ball) {
-            judge_pair(seen, a, to<T>(pair.b), wrong);
-        } else if (pair.kind == families::pair_kind::ball_plane) {
-            judge_pair(seen, a, to<T>(pair.plane), wrong);
+        if (drawn.kind == families::pair_kind::ball_ball) {
+            judge_pair(seen, pair.a, pair.b, wrong);
+        } else if (drawn.kind == families::pair_kind::ball_plane) {
+            judge_pair(seen, pair.a, pair.plane, wrong);
         } else {
-            judge_pair(seen, a, to<T>(pair.wall), wrong);
+            judge_pair(seen, pair.a, pair.wall, wrong);
         }
         if (!wrong.empty()) {
             complaints.push_back(std::string(f.name) + " " + std::to_string(N) + "D, " +

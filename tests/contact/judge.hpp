@@ -136,7 +136,7 @@ verdict of(const graze::ball<N, T>& b, const graze::plane<N, T>& p,
            const std::optional<graze::wall_contact<N, T>>& found, const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(b, p);
     verdict v{met.what, 0, {}, {}};
-    if (found.has_value() != oracle::is_collision(met.what) || (found && found->where != graze::feature::face)) {
+    if (found.has_value() != oracle::is_collision(met.what) || (found && found->feature != graze::feature::face)) {
         v.wrong = "the encounter";
     }
     time(v, met, at);
@@ -152,7 +152,7 @@ verdict of(const graze::ball<N, T>& b, const graze::wall<N, T>& w,
     const oracle::answer met = oracle::meet(b, w);
     verdict v{met.what, 0, {}, {}};
     if (found.has_value() != oracle::is_collision(met.what) ||
-        (found && static_cast<int>(found->where) != static_cast<int>(met.where()))) {
+        (found && static_cast<int>(found->feature) != static_cast<int>(met.where()))) {
         v.wrong = "the encounter";
     }
     time(v, met, at);
