@@ -6,8 +6,10 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace laws {
 
@@ -109,6 +111,28 @@ bool common_position(graze::ball<N, double> a, graze::ball<N, double> b, const g
     }
     RC_ASSERT(answers::of(a, b) == answer);
     return true;
+}
+
+// 5. Times are in one order, whatever met whatever: exactly one of <, == and > holds, exchanged operands exchange it,
+// and < is transitive.
+template <int N>
+void order(const std::optional<graze::impact_time<N, double>>& x, const std::optional<graze::impact_time<N, double>>& y,
+           const std::optional<graze::impact_time<N, double>>& z) {
+    if (x && y && z) {
+        const int xy = answers::order_of(*x, *y);
+        const int yz = answers::order_of(*y, *z);
+        RC_ASSERT(xy == -answers::order_of(*y, *x));
+        RC_ASSERT(answers::order_of(*x, *x) == 0);
+        RC_ASSERT(xy > 0 || yz > 0 || answers::order_of(*x, *z) == std::min(xy, yz));
+    }
+}
+
+// 6. overlap, graze and hit have a time, recede and miss have none; an overlap's time is 0.
+template <class A, class B>
+void collisions_have_times(const A& a, const B& b) {
+    const auto answer = answers::of(a, b);
+    RC_ASSERT(answer.time.has_value() == graze::is_collision(answer.what));
+    RC_ASSERT(answer.what != graze::encounter::overlap || answers::order_of(*answer.time, 0.0) == 0);
 }
 
 } // namespace laws

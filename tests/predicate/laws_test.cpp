@@ -21,6 +21,7 @@ void all_laws(const A& a, const B& b) {
     laws::axes(a, b);
     laws::presentation(a, b);
     laws::scaling(a, b);
+    laws::collisions_have_times(a, b);
 }
 
 template <int N>
@@ -38,6 +39,22 @@ template <int N>
 bool holds_in() {
     return rc::check([] { all_laws(any_of<N>(families::all_families)); }) &&
            rc::check([] { all_laws(any_of<N>(families::more_families)); });
+}
+
+template <int N>
+auto time_of_any() {
+    const auto pair = any_of<N>(families::all_families);
+    return pair.kind == families::pair_kind::ball_ball    ? answers::time_of(pair.a, pair.b)
+           : pair.kind == families::pair_kind::ball_plane ? answers::time_of(pair.a, pair.plane)
+                                                          : answers::time_of(pair.a, pair.wall);
+}
+template <int N>
+bool times_are_ordered() {
+    return rc::check([] {
+        const auto x = time_of_any<N>();
+        const auto y = time_of_any<N>();
+        laws::order(x, y, time_of_any<N>());
+    });
 }
 
 // The frame of reference in which b rests at the origin, or nearly so.
@@ -67,4 +84,9 @@ TEST_CASE("Decisions do not depend on the axes, on how a thing is written, on th
 TEST_CASE("Decisions do not depend on the frame of reference") {
     CHECK(holds_in_other_frames<2>());
     CHECK(holds_in_other_frames<3>());
+}
+
+TEST_CASE("Times are in one order, whatever met whatever") {
+    CHECK(times_are_ordered<2>());
+    CHECK(times_are_ordered<3>());
 }

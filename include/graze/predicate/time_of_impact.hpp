@@ -44,7 +44,8 @@ template <int N, class T>
 
 } // namespace detail
 
-// The exact time at which two balls touch first; empty for recede and miss. Throws as classify does.
+// The exact time at which two balls touch first; empty for recede and miss. Throws as classify does. Laws 1 to 6 of
+// classify.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
