@@ -34,12 +34,12 @@ template <class P, int N, class T, class Shape>
     const scales units{in.length.exponent, in.velocity.exponent};
     with_exact_motion<placed<P>>(in, [&](const auto& pair) {
         if constexpr (requires { shape.edge; }) {
-            if (c.where == feature::face) {
+            if (c.feature == feature::face) {
                 round_face(c, wanted, what, face_of(pair.relative), pair.position, units);
                 return;
             }
             if constexpr (N == 3) {
-                if (c.where == feature::edge) {
+                if (c.feature == feature::edge) {
                     round_edge(c, wanted, what, seen_from(pair.relative, edge_view(index)), pair.position, units);
                     return;
                 }
@@ -61,7 +61,7 @@ template <class P, int N, class T, class Shape, class Observer>
         return std::nullopt;
     }
     std::optional<wall_contact<N, T>> c(std::in_place);
-    c->where = found.where;
+    c->feature = found.where;
     c->velocity = b.velocity;
     if (found.what == encounter::overlap) {
         c->position = with_plain_zeros(b.position);

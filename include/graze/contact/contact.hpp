@@ -23,14 +23,14 @@ struct contact {
 
 // Of a ball and a plane or a wall, rounded alike. position: of the centre then. point: where the plane or wall is
 // touched; of an overlap the point of it that is nearest to the centre. normal: the unit vector from there to the ball;
-// zero when a point grazes a border. where: which feature of the wall is met; of a plane always its face.
+// zero when a point grazes a border. feature: which one of the wall is met; of a plane always the face.
 template <int N, class T = double>
 struct wall_contact {
     T time{};
     vec<N, T> position{}, point{};
     vec<N, T> normal{};
     vec<N, T> velocity{};
-    feature where = feature::face;
+    graze::feature feature = graze::feature::face;
 
     [[nodiscard]] friend constexpr bool operator==(const wall_contact&, const wall_contact&) = default;
 };
