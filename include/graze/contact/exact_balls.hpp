@@ -1,115 +1,12 @@
-// The components of two balls' contact as exact numbers (p + q√D)/r, each rounded once.
-//
-// With τ = (-h - √D)/a the formulas of formula/ give, over common denominators and without a division (m' is the other
-// ball's mass, M = m_a + m_b, N = a Δx - h Δu, D = h² - ac):
-//   position  x + u τ                          = (a x - h u - u √D)/a                                       (13)
-//   normal    (Δx + Δu τ)/R                    = (N - Δu √D)/(a R)                                          (20)
-//   velocity  u ∓ (2m'/M) ⟨Δu,X̂⟩ X̂            = (M a R² u ∓ 2m' D Δu ± 2m' √D N)/(M a R²)                  (23), (29)
-// since ⟨Δu,X̂⟩ = (h + aτ)/R = -√D/R; upper signs for ball a. For an overlap X̂ = Δx/|Δx| and ⟨Δu,X̂⟩ X̂ = h Δx/|Δx|².
+// All components of two balls' contact, from their motion in integers.
 #pragma once
 
 #include <graze/contact/contact.hpp>
+#include <graze/contact/exact_approach.hpp>
 #include <graze/contact/parts.hpp>
-#include <graze/formula/contact.hpp>
 #include <graze/formula/encounter.hpp>
-#include <graze/predicate/rounded_time.hpp>
 
 namespace graze::detail {
-
-// The exponents of the scales of lengths and velocities.
-struct scales {
-    int length, velocity;
-    [[nodiscard]] constexpr int time() const noexcept { return length - velocity; }
-};
-
-// A path until the smaller root τ of a t² + 2 h t + c.
-template <class T, class Z, class A, class H>
-struct exact_path {
-    A a;
-    H h;
-    radicand<Z> discriminant;
-    scales units;
-
-    [[nodiscard]] constexpr T time() const { return round_root<T>(a, h, discriminant, units.time()); }
-
-    // Of a centre that is at x now and moves with u.
-    template <class I>
-    [[nodiscard]] constexpr T position(const I& x, const I& u) const {
-        return round_to<T>(a * x - h * u, -u, discriminant, a, units.length);
-    }
-};
-template <class T, class Z, class A, class H, class D>
-[[nodiscard]] constexpr auto path_until(const A& a, const H& h, const D& discriminant, scales units) {
-    return exact_path<T, Z, A, H>{a, h, radicand<Z>(discriminant), units};
-}
-
-// Two centres that approach until their distance is m.R.
-template <class T, class M>
-class exact_approach {
-    using Z = surd_integer_for<M>;
-    template <class F>
-    using value = decltype(F{}(std::declval<M>()));
-    using path_type = exact_path<T, Z, value<coefficient_a>, value<coefficient_h>>;
-
-  public:
-    constexpr exact_approach(const M& m, scales units)
-        : m_(m), discriminant_(discriminant_lagrange{}(m)),
-          path(path_until<T, Z>(coefficient_a{}(m), coefficient_h{}(m), discriminant_, units)) {}
-
-  private:
-    const M& m_;
-    value<discriminant_lagrange> discriminant_;
-
-  public:
-    path_type path;
-
-    [[nodiscard]] constexpr T normal(int i) const {
-        return round_to<T>(across_[i], -m_.du[i], path.discriminant, path.a * m_.R, 0);
-    }
-
-    // What velocities are divided by; sum: of the masses.
-    template <class W>
-    [[nodiscard]] constexpr auto velocity_divisor(const W& sum) const {
-        return sum * (path.a * (m_.R * m_.R));
-    }
-    // Of the ball whose velocity was u. share: twice the other's mass, for ball b its negative.
-    template <class I, class S, class R>
-    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const R& divisor) const {
-        return round_to<T>(divisor * u - share * (discriminant_ * m_.du[i]), share * across_[i], path.discriminant,
-                           divisor, path.units.velocity);
-    }
-
-  private:
-    decltype(position_at(std::declval<path_type>().a * std::declval<M>().dx, std::declval<M>().du,
-                         -std::declval<path_type>().h)) across_ = position_at(path.a * m_.dx, m_.du, -path.h);
-};
-
-// Two centres inside each other and getting deeper: along the line between them, now.
-template <class T, class M>
-class exact_overlap {
-    using Z = surd_integer_for<M>;
-
-  public:
-    constexpr exact_overlap(const M& m, scales units) : m_(m), units_(units) {}
-
-    [[nodiscard]] constexpr T normal(int i) const { return round_to<T>(Z(0), m_.dx[i], root_, square_, 0); }
-
-    template <class W>
-    [[nodiscard]] constexpr auto velocity_divisor(const W& sum) const {
-        return sum * square_;
-    }
-    template <class I, class S, class R>
-    [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const R& divisor) const {
-        return round_to<T>(divisor * u - share * (h_ * m_.dx[i]), Z(0), radicand<Z>(), divisor, units_.velocity);
-    }
-
-  private:
-    const M& m_;
-    scales units_;
-    decltype(coefficient_h{}(std::declval<M>())) h_ = coefficient_h{}(m_);
-    decltype(graze::squared_norm(std::declval<M>().dx)) square_ = graze::squared_norm(m_.dx);
-    radicand<Z> root_{square_};
-};
 
 // Two balls in integers, with their masses; (1, 0) where the first one is infinite.
 template <int N, class I, class M>

@@ -15,7 +15,7 @@
 //   velocity  u + 2 √D/(e·e r) X̂ = (a e·e r² u - 2 D' e × (u × e) + 2 t √D (u × e))/(a e·e r²).
 #pragma once
 
-#include <graze/contact/exact_balls.hpp>
+#include <graze/contact/exact_approach.hpp>
 #include <graze/formula/wall_features.hpp>
 
 namespace graze::detail {

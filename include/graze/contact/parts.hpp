@@ -25,9 +25,4 @@ constexpr void fill(vec<N, T>& x, parts wanted, Part first, F f) {
     }
 }
 
-template <class Part>
-[[nodiscard]] constexpr bool has_any(parts wanted, Part first) noexcept {
-    return (wanted >> static_cast<unsigned>(first) & 7U) != 0;
-}
-
 } // namespace graze::detail

@@ -1,7 +1,10 @@
 // All components of a ball's contact with a plane or a wall, from its motion in integers.
 #pragma once
 
+#include <graze/contact/contact.hpp>
 #include <graze/contact/exact_walls.hpp>
+#include <graze/contact/parts.hpp>
+#include <graze/formula/encounter.hpp>
 
 namespace graze::detail {
 
