@@ -16,8 +16,6 @@ using surd = sqrt_extension<rational>;
 template <int N>
 using exact_ball = ball<N, rational>;
 
-constexpr bool operator<=(const rational& x, const rational& y) { return !(y < x); }
-
 // The wall lies in the first coordinate's plane: |x_i| <= half(i) in the others.
 constexpr int half(int i) { return i == 1 ? 2 : 3; }
 constexpr wall<2, rational> flat(const wall<2, rational>*) { return {{{0, -2}}, {{{{0, 4}}}}}; }
