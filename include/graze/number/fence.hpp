@@ -20,7 +20,9 @@ namespace graze::detail {
 }
 
 // x as memory holds it. A caller's `p + d` may still be an expression where a predicate is inlined: under -ffast-math,
-// contraction or x87 a filter would otherwise see another number than the exact tier, which reads the stored bits.
+// contraction or x87 a filter would otherwise see another number than the exact tier, which reads the stored bits. g++ 12
+// even forgets a caller's conversion to float when it vectorises the conversion back (-O3), but for a register that it
+// has to fill.
 template <class T>
 [[nodiscard]] constexpr T as_stored(T x) noexcept {
     if constexpr (std::is_floating_point_v<T>) {
@@ -28,10 +30,13 @@ template <class T>
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
             __asm__("" : "+m"(x));
 #elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
-            return __builtin_assoc_barrier(x); // also keeps a product from being fused with a sum
-#elif defined(__clang__) && defined(__x86_64__)
+            if constexpr (std::is_same_v<T, double>) {
+                return __builtin_assoc_barrier(x); // also keeps a product from being fused with a sum
+            }
+#endif
+#if defined(__GNUC__) && defined(__SSE2__)
             __asm__("" : "+x"(x)); // clang's fence lets products fuse under -ffp-contract=fast
-#elif defined(__clang__) && defined(__aarch64__)
+#elif defined(__GNUC__) && defined(__aarch64__)
             __asm__("" : "+w"(x));
 #elif defined(__GNUC__)
             __asm__("" : "+m"(x));
