@@ -155,6 +155,46 @@ void ask_subnormals(caller_tally& t) {
     ask_one.operator()<(1U << 31) + 1>(1);  // -2^-149
 }
 
+// Rows of doubles that a caller makes floats of, where the predicate is inlined: position, velocity, radius of a ball,
+// corner and edge of a wall. From the family edges_and_corners.
+constexpr double to_be_narrowed[][9] = {
+    {-0x1.6424ba7c04bap-1, -0x1.85f3bf63330bp-2, 0x1.02b11366889p-2, -0x1.2fcae519405fp+0, 0x1.da9aa7cd5107ap-3,
+     -0x1.99ab98a88adf8p-1, -0x1.18a7c0caf364p+0, 0x1.5cp-6, -0x1.936p-8},
+    {-0x1.7b7af6f977d8p-2, -0x1.72be2b408118p-4, -0x1.fbe0e917198p-1, -0x1.7471bbffdf8p-3, 0x1.04e09f1012714p-3,
+     -0x1.351ef19aacb6cp+0, -0x1.d4c2d4c47ae4p-4, -0x1.6c8p-7, 0x1.188cp-6},
+    {0x1.838caab3fbc4p-3, 0x1.279644b4133ep-2, -0x1.eda21825ff4p-4, 0x1.ce4453f28419p+0, 0x1.9268c4094783bp-3,
+     0x1.846ed258379bp-2, 0x1.3432dd0f8e924p+0, -0x1.b822p-5, -0x1.0298p-7},
+    {-0x1.67b1e7ea4ae1p-1, -0x1.56f8807eff2e8p-1, -0x1.b7f4b7377668p-2, -0x1.1022abbddcab4p+0, 0x1.1a195e26190b1p-3,
+     -0x1.5ecf89a78fe68p-1, -0x1.2989544a5ef24p+0, -0x1.a63ep-5, 0x1.4954p-5},
+};
+
+template <class X>
+[[nodiscard, gnu::always_inline]] inline int met(const X* x) {
+    const auto narrowed = [x](int from) {
+        return graze::make_vec<2>([&](int i) { return static_cast<float>(x[from + i]); });
+    };
+    const graze::ball<2, float> b{narrowed(0), narrowed(2), static_cast<float>(x[4])};
+    const graze::wall<2, float> w{narrowed(5), {{narrowed(7)}}};
+    auto decided_by = graze::stage::exact;
+    const auto what = graze::classify(b, w, [&](graze::stage s) { decided_by = s; });
+    return 2 * static_cast<int>(what) + (decided_by == graze::stage::exact ? 1 : 0);
+}
+[[nodiscard, gnu::noinline]] int met_narrowed(const double* x) { return met(x); }
+[[nodiscard, gnu::noinline]] int met_as_stored(const float* x) { return met(x); }
+
+void ask_narrowed(caller_tally& t) {
+    for (const auto& row : to_be_narrowed) {
+        double wide[9];
+        float narrow[9];
+        for (int i = 0; i < 9; ++i) {
+            wide[i] = stored(row[i]);
+            narrow[i] = stored(static_cast<float>(wide[i]));
+        }
+        ++t.asked;
+        t.different += met_narrowed(wide) == met_as_stored(narrow) ? 0U : 1U;
+    }
+}
+
 } // namespace
 
 caller_tally ask_callers() {
@@ -166,6 +206,7 @@ caller_tally ask_callers() {
     ask<sum, float>(t);
     ask<product, float>(t);
     ask_subnormals(t);
+    ask_narrowed(t);
     return t;
 }
 
