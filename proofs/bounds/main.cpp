@@ -192,7 +192,9 @@ int run(const std::vector<std::string>& arguments) {
     for (const row& r : all_rows) {
         ordered = in_order(r) && ordered;
     }
-    if (gappa.empty()) {
+    if (!ordered) {
+        std::cout << "a bound is below an error, or one of Gappa's above the compiler's\n";
+    } else if (gappa.empty()) {
         std::cout << "SKIPPED: no gappa; the compiler's bounds are at least the errors found\n";
     } else if (!check) {
         print(all_rows);

@@ -97,8 +97,23 @@ def all_mutations(only):
                     yield header, number, line, mutated
 
 
-def survives(mutation, compiler, proofs):
-    """Whether every proof compiles."""
+REFUTED = re.compile(r"static assertion failed|not a constant expression|not constant|is not an integral constant")
+
+
+def compile_proof(proof, compiler, folder=None):
+    """What the compiler says, or nothing where the proof holds."""
+    command = [compiler, "-std=c++20", "-fsyntax-only", "-w", f"-I{ROOT / 'include'}",
+               str(ROOT / "proofs" / f"{proof}.cpp")]
+    if folder:
+        command.insert(1, f"-I{folder}")
+    if "clang" in compiler:
+        command.insert(1, "-fconstexpr-steps=100000000")
+    run = subprocess.run(command, capture_output=True, check=False, text=True)
+    return None if run.returncode == 0 else run.stderr or "no message"
+
+
+def verdict_on(mutation, compiler, proofs):
+    """caught: a proof does not hold. stillborn: no proof compiles for another reason. missed: all proofs hold."""
     header, number, _, mutated = mutation
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / "graze/formula"
@@ -107,14 +122,14 @@ def survives(mutation, compiler, proofs):
         lines[number] = mutated
         (copy / header.name).write_text("\n".join(lines))
         first = ABOUT.get(header.stem, [])
+        verdict = "missed"
         for proof in first + [p for p in proofs if p not in first]:
-            command = [compiler, "-std=c++20", "-fsyntax-only", "-w", f"-I{folder}", f"-I{ROOT / 'include'}",
-                       str(ROOT / "proofs" / f"{proof}.cpp")]
-            if "clang" in compiler:
-                command.insert(1, "-fconstexpr-steps=100000000")
-            if subprocess.run(command, capture_output=True, check=False).returncode != 0:
-                return False
-    return True
+            said = compile_proof(proof, compiler, folder)
+            if said and REFUTED.search(said):
+                return "caught"
+            if said:
+                return "stillborn"
+    return verdict
 
 
 def equivalents():
@@ -149,24 +164,23 @@ def main():
         for header, number, _, mutated in chosen:
             print(f"{header.name}:{number + 1}: {mutated.strip()}")
         return 0
-    caught = equivalent = 0
-    missed = []
+    # What does not hold unchanged would catch everything.
+    about = {p for header, *_ in chosen for p in ABOUT.get(header.stem, [])}
+    for proof in sorted(about) if options.sample else proofs:
+        if said := compile_proof(proof, options.compiler):
+            print(f"{proof} does not compile unchanged:\n{said}")
+            return 2
+    listed = [m for m in chosen if (m[0].name, m[2].strip(), m[3].strip()) in known]
+    unlisted = [m for m in chosen if m not in listed]
+    count = {"caught": 0, "stillborn": 0, "missed": 0}
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        unlisted = []
-        for m in chosen:
-            if (m[0].name, m[2].strip(), m[3].strip()) in known:
-                equivalent += 1
-            else:
-                unlisted.append(m)
-        for m, alive in zip(unlisted, pool.map(lambda x: survives(x, options.compiler, proofs), unlisted)):
-            if alive:
-                missed.append(m)
+        for m, verdict in zip(unlisted, pool.map(lambda x: verdict_on(x, options.compiler, proofs), unlisted)):
+            count[verdict] += 1
+            if verdict == "missed":
                 print(f"{m[0].name} | {m[2].strip()} | {m[3].strip()} | not noticed", flush=True)
-            else:
-                caught += 1
-    print(f"{len(everything)} slips, {len(chosen)} tried: {caught} caught, {equivalent} change nothing, "
-          f"{len(missed)} not noticed")
-    return 1 if missed or caught + equivalent == 0 else 0
+    print(f"{len(everything)} slips, {len(chosen)} tried: {count['caught']} caught, {count['stillborn']} do not compile, "
+          f"{len(listed)} change nothing, {count['missed']} not noticed")
+    return 1 if count["missed"] or not count["caught"] else 0
 
 
 if __name__ == "__main__":
