@@ -4,6 +4,7 @@
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/linear/vec.hpp>
 #include <graze/number/binary.hpp>
+#include <graze/number/rounding.hpp>
 
 namespace graze {
 
@@ -37,10 +38,14 @@ struct wall_contact {
 
 namespace detail {
 
-// x, a zero as +0.
+// x, a zero as +0: by its bits, since with -fno-signed-zeros x + 0 and x == 0 ? 0 : x are x.
+template <class T>
+[[nodiscard]] constexpr T with_plain_zero(const T& x) noexcept {
+    return from_bits<T>(order_of_magnitude(x) == 0 ? 0 : bits_of(x), false);
+}
 template <int N, class T>
 [[nodiscard]] constexpr vec<N, T> with_plain_zeros(const vec<N, T>& x) noexcept {
-    return make_vec<N>([&](int i) { return to_binary(x[i]).significand == 0 ? T(0) : x[i]; });
+    return make_vec<N>([&](int i) { return with_plain_zero(x[i]); });
 }
 
 } // namespace detail

@@ -27,9 +27,11 @@ template <int N, class T>
 [[nodiscard, gnu::noinline]] inline parts fill_in_at_rest(parts open_parts, contact<N, T>& c, const ball<N, T>& a,
                                                           const ball<N, T>& b) noexcept {
     const T zero(0);
-    const auto set = [&](part which, int i, T& to, T value) {
+    const auto set = [&](part which, int i, T& to, const T& value) {
         const parts bit = parts{1} << (static_cast<int>(which) + i);
-        to = (open_parts & bit) != 0 ? value + zero : to; // -0 + 0 = +0
+        if ((open_parts & bit) != 0) {
+            to = with_plain_zero(value);
+        }
         open_parts &= ~bit;
     };
     for (int i = 0; i < N; ++i) {

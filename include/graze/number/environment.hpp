@@ -8,7 +8,7 @@ namespace graze::detail {
 // What is known when compiling: no -ffast-math or part of it that the compiler tells of, no x87 registers. Clang tells
 // nothing of -fassociative-math alone; the transforms are settled against it.
 #if defined(__GNUC__) && defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0 && !defined(__FAST_MATH__) &&        \
-    !defined(__ASSOCIATIVE_MATH__) && !defined(__RECIPROCAL_MATH__) &&                                                 \
+    !defined(__ASSOCIATIVE_MATH__) && !defined(__RECIPROCAL_MATH__) && !defined(__NO_SIGNED_ZEROS__) &&                \
     !(defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 inline constexpr bool has_error_free_doubles = true;
 #else

@@ -15,7 +15,7 @@ namespace graze::detail {
 template <class T>
 inline constexpr std::uint64_t largest_error = std::uint64_t{1} << (59 - std::numeric_limits<T>::digits);
 
-// The number in T that x is rounded to, x not 0 and its error at most 4 (largest_error + 4); against(m, e) is the sign
+// The number in T that x is rounded to, x not 0 and its error at most 2 (largest_error + 2); against(m, e) is the sign
 // of |x| - m 2^e.
 template <class T, class Against>
 [[nodiscard]] constexpr T round_estimate(const leading& x, rounding mode, Against against) {
