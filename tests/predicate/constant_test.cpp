@@ -1,5 +1,6 @@
 // Decisions in constant expressions, where proofs/predicate says nothing of them: the ends of the range, and that bad
 // input does not compile. What it asserts, it asserts in compiling.
+#include <graze/predicate/classify_numbers.hpp>
 #include <graze/predicate/overlaps.hpp>
 #include <graze/predicate/time_of_impact.hpp>
 
