@@ -277,8 +277,8 @@ TEST_CASE("A time against a number") {
     const auto narrow =
         graze::time_of_impact(graze::ball<2, float>{{5, 0}, {-3, 0}, 0}, graze::ball<2, float>{{0, 0}, {0, 0}, 0});
     CHECK(*narrow > 1.6666666);
-    CHECK(*narrow < 5.0F / 3.0F);
-    CHECK(*narrow > 5.0 / 3.0);
+    CHECK(*narrow > 5.0F / 3.0F);
+    CHECK(*narrow < 5.0 / 3.0);
     CHECK(*narrow < 2);
     CHECK(*narrow > 1U);
     CHECK(*narrow > 1LL);
