@@ -133,7 +133,6 @@ void ask(caller_tally& t) {
 
 // τ = 2^-140 against floats in registers, which are subnormal: how it compares is known. The numbers are read as bits,
 // so that no mode is asked what they are.
-template <std::uint32_t Bits>
 [[nodiscard, gnu::noinline]] int against(const graze::impact_time<2>& time, float m) {
     const auto order = time <=> m;
     return order < 0 ? -1 : order > 0 ? 1 : time == m ? 0 : 2;
@@ -141,18 +140,18 @@ template <std::uint32_t Bits>
 void ask_subnormals(caller_tally& t) {
     const auto time =
         graze::time_of_impact(graze::ball<2>{{-0x1p-140, 0}, {1, 0}, 0}, graze::ball<2>{{0, 0}, {0, 0}, 0});
-    const auto ask_one = [&]<std::uint32_t Bits>(int right) {
+    const auto ask_one = [&](std::uint32_t bits, int right) {
         ++t.asked;
-        t.different += time && against<Bits>(*time, std::bit_cast<float>(stored(Bits))) == right ? 0U : 1U;
+        t.different += time && against(*time, std::bit_cast<float>(stored(bits))) == right ? 0U : 1U;
     };
-    ask_one.operator()<0>(1);
-    ask_one.operator()<1>(1);               // 2^-149
-    ask_one.operator()<1U << 9>(0);         // 2^-140
-    ask_one.operator()<(1U << 9) + 1>(-1);  // the next one
-    ask_one.operator()<1U << 19>(-1);       // 2^-130
-    ask_one.operator()<(1U << 23) - 1>(-1); // the largest subnormal number
-    ask_one.operator()<1U << 23>(-1);       // the smallest normal one
-    ask_one.operator()<(1U << 31) + 1>(1);  // -2^-149
+    ask_one(0, 1);
+    ask_one(1, 1);               // 2^-149
+    ask_one(1U << 9, 0);         // 2^-140
+    ask_one((1U << 9) + 1, -1);  // the next one
+    ask_one(1U << 19, -1);       // 2^-130
+    ask_one((1U << 23) - 1, -1); // the largest subnormal number
+    ask_one(1U << 23, -1);       // the smallest normal one
+    ask_one((1U << 31) + 1, 1);  // -2^-149
 }
 
 // Rows of doubles that a caller makes floats of, where the predicate is inlined: position, velocity, radius of a ball,

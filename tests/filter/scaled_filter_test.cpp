@@ -18,7 +18,8 @@ auto motion(double height, double radius) {
                                          graze::plane<3, double>{{0, 0, 0}, {0, 0, 1}});
 }
 int clearance(double height, double radius) {
-    return graze::detail::filtered_sign<bounds>(graze::plane_clearance{}, motion(height, radius), {3 + height + radius, 1, 1});
+    return graze::detail::filtered_sign<bounds>(graze::plane_clearance{}, motion(height, radius),
+                                                {3 + height + radius, 1, 1});
 }
 
 } // namespace

@@ -110,7 +110,8 @@ static_assert(graze::detail::to_binary(limits::denorm_min()).exponent == -1074);
 static_assert(graze::detail::to_binary(-1.5).significand == -3 && graze::detail::to_binary(-1.5).exponent == -1);
 static_assert(graze::detail::to_binary(std::numeric_limits<std::int64_t>::min()).significand == -1);
 static_assert(graze::detail::to_binary(std::numeric_limits<std::int64_t>::min()).exponent == 63);
-static_assert(!graze::detail::is_finite_input(limits::infinity()) && !graze::detail::is_finite_input(-limits::quiet_NaN()));
+static_assert(!graze::detail::is_finite_input(limits::infinity()) &&
+              !graze::detail::is_finite_input(-limits::quiet_NaN()));
 static_assert(!graze::detail::is_finite_input(std::numeric_limits<float>::signaling_NaN()));
 static_assert(graze::detail::is_finite_input(limits::max()) && graze::detail::is_finite_input(limits::denorm_min()));
 

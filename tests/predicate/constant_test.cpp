@@ -49,7 +49,8 @@ static_assert(classify(falling(6, 6), table) == encounter::miss);
 static_assert(classify(falling(0, 0), falling(9, 0)) == encounter::recede);
 
 // Any signed integer of 32 or 64 bits, whatever its name.
-static_assert(classify(ball<2, long long>{{0, 4}, {0, -1}, 1}, ball<2, long long>{{0, 0}, {0, 0}, 1}) == encounter::hit);
+static_assert(classify(ball<2, long long>{{0, 4}, {0, -1}, 1}, ball<2, long long>{{0, 0}, {0, 0}, 1}) ==
+              encounter::hit);
 static_assert(classify(ball<2, long>{{0, 4}, {0, -1}, 1}, ball<2, long>{{2, 0}, {0, 0}, 1}) == encounter::graze);
 
 // Whether F{}() is a constant expression.

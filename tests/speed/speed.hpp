@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,25 @@ template <class T>
     const T d = graze::discriminant_halved{}(graze::quadratic<T, T, T>{graze::coefficient_a{}(m), h, c});
     const int s = graze::sign(d);
     return s < 0 ? graze::encounter::miss : s == 0 ? graze::encounter::graze : graze::encounter::hit;
+}
+
+// τ by the halved discriminant and the stable root in T, for pairs that are apart and meet.
+template <class T>
+[[nodiscard]] inline std::optional<T> plain_time(const ball<3, T>& a, const ball<3, T>& b) {
+    const auto m = graze::relative_motion_of(a, b);
+    const T h = graze::coefficient_h{}(m);
+    if (graze::sign(h) >= 0) {
+        return std::nullopt;
+    }
+    const T c = graze::coefficient_c{}(m);
+    if (graze::sign(c) < 0) {
+        return T(0);
+    }
+    const T d = graze::discriminant_halved{}(graze::quadratic<T, T, T>{graze::coefficient_a{}(m), h, c});
+    if (graze::sign(d) < 0) {
+        return std::nullopt;
+    }
+    return T(graze::root_stable{}(c, h, graze::square_root(d)));
 }
 
 template <class T>

@@ -71,8 +71,7 @@ template <class U, class T>
     return is_infinite_mass(mass) ? U(1) : is_infinite_mass(other) ? U(0) : static_cast<U>(mass);
 }
 
-// Rounds the wanted components of the contact of two balls that meet, by
-// integers.
+// Rounds the wanted components of the contact of two balls that meet, by integers.
 template <int N, class T>
 [[gnu::noinline]] constexpr void complete(contact<N, T>& c, parts wanted, encounter what, const ball<N, T>& a,
                                           const ball<N, T>& b) {
@@ -132,7 +131,7 @@ requires is_binary_input<T>
             return detail::contact_of(f.what(), stage::filter, f, a, b, observer);
         }
     }
-    const encounter what = detail::with_exact_balls(a, b, detail::exact_encounter{});
+    const encounter what = detail::classify_exactly(a, b);
     return detail::contact_of(what, stage::exact, {}, a, b, observer);
 }
 

@@ -41,7 +41,7 @@ struct discriminant_kahan {
 struct discriminant_lagrange {
     template <int N, class X, class U, class S>
     [[nodiscard]] constexpr auto operator()(const relative_motion<N, X, U, S>& m) const {
-        return m.R * m.R * graze::squared_norm(m.du) - graze::squared_norm(cross(m.dx, m.du));
+        return m.R * m.R * graze::squared_norm(m.du) - graze::squared_norm(graze::cross(m.dx, m.du));
     }
 };
 

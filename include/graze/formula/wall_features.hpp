@@ -129,19 +129,19 @@ struct face_foot_d {
 struct edge_a {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::squared_norm(cross(m.u, m.e[1]));
+        return graze::squared_norm(graze::cross(m.u, m.e[1]));
     }
 };
 struct edge_h {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::dot(cross(m.w, m.e[1]), graze::cross(m.u, m.e[1]));
+        return graze::dot(graze::cross(m.w, m.e[1]), graze::cross(m.u, m.e[1]));
     }
 };
 struct edge_c {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::squared_norm(cross(m.w, m.e[1])) - m.r * m.r * graze::squared_norm(m.e[1]);
+        return graze::squared_norm(graze::cross(m.w, m.e[1])) - m.r * m.r * graze::squared_norm(m.e[1]);
     }
 };
 // D/(e·e) by Lagrange's identity: (w × e) × (u × e) is parallel to e, so that D = e·e (r² a - (e·(w × u))²).

@@ -20,9 +20,9 @@ namespace graze::detail {
 }
 
 // x as memory holds it. A caller's `p + d` may still be an expression where a predicate is inlined: under -ffast-math,
-// contraction or x87 a filter would otherwise see another number than the exact tier, which reads the stored bits. g++ 12
-// even forgets a caller's conversion to float when it vectorises the conversion back (-O3), but for a register that it
-// has to fill.
+// contraction or x87 a filter would otherwise see another number than the exact tier, which reads the stored bits. g++
+// 12 even forgets a caller's conversion to float when it vectorises the conversion back (-O3), but for a register that
+// it has to fill.
 template <class T>
 [[nodiscard]] constexpr T as_stored(T x) noexcept {
     if constexpr (std::is_floating_point_v<T>) {

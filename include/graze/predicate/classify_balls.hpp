@@ -123,7 +123,7 @@ struct exact_encounter {
     }
 };
 
-// Balls of one velocity, at rest for instance, are no matter for integers.
+// Balls of one velocity, both at rest for instance, come no closer: no integers are needed.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const ball<N, T>& a, const ball<N, T>& b) {
     if (is_same(a.velocity, b.velocity)) {
@@ -146,7 +146,8 @@ template <int N, class T>
 // The laws of all predicates, for balls, planes and walls (by these numbers proved on hard cases in
 // proofs/predicate/laws.cpp and tried on random ones in tests/predicate/laws.hpp). The answer stays the same
 //   1. when the axes are permuted or mirrored;
-//   2. when the same things are written otherwise: balls exchanged, a normal reversed, a wall's edges exchanged or drawn
+//   2. when the same things are written otherwise: balls exchanged, a normal reversed, a wall's edges exchanged or
+//   drawn
 //      from the other end;
 //   3. when lengths, velocities and normals are scaled by a power of two each, but that times scale;
 //   4. in another frame of reference, and elsewhere, if the shifted numbers are exact.

@@ -31,8 +31,8 @@ struct impact_time_key {
 // given. A regular type but for a default value: two are equal exactly when their times are, whatever met whatever.
 // Comparisons look at an enclosure in doubles first and at the inputs, which the value keeps, only when the enclosures
 // overlap; they never round, throw or allocate. Converted, a time is rounded once, in any floating-point environment.
-// Made by time_of_impact only, whose empty answer std::optional orders
-// before every time. 152 bytes for N = 3 and doubles, 104 for N = 2.
+// Made by time_of_impact only, whose empty answer std::optional orders before every time. 152 bytes for N = 3 and
+// doubles, 104 for N = 2.
 template <int N, class T = double>
 class impact_time {
   public:

@@ -67,7 +67,7 @@ template <int N, class T>
     return true;
 }
 
-// Whether two vectors have the same bits.
+// Whether two vectors are the same but for signs of zeros, by their bits.
 template <int N, class T>
 [[nodiscard]] constexpr bool is_same(const vec<N, T>& x, const vec<N, T>& y) noexcept {
     for (int i = 0; i < N; ++i) {
