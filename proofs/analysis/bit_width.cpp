@@ -81,12 +81,15 @@ constexpr bool walls_agree() {
 }
 static_assert(walls_agree<2, 20, 12>() && walls_agree<3, 20, 12>());
 
-// W-bit inputs in space give a, h and c of 2W + 4 bits or fewer, and D of 4W + 9.
+// W-bit inputs in space give a and h of 2W + 4 bits, c of one more, D of 4W + 10 and in Lagrange's form of 4W + 9.
+static_assert(coefficient_a{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 2 * 30 + 4);
 static_assert(coefficient_h{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 2 * 30 + 4);
-static_assert(halved_of_motion{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits <= 4 * 30 + 10);
+static_assert(coefficient_c{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 2 * 30 + 5);
+static_assert(halved_of_motion{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 4 * 30 + 10);
+static_assert(discriminant_lagrange{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 4 * 30 + 9);
 
 // int32 coordinates: what classify takes for them.
-static_assert(bits_to_decide<3, variant::halved>({31, 31}) <= 140);
+static_assert(bits_to_decide<3, variant::halved>({31, 31}) == 134);
 
 // The widths are attained: -1 and 1 at the ends of a 1-bit range differ by 2, which takes two bits.
 static_assert((bit_width(1) - bit_width(-1)).bits == 2 && bit_width(0).bits == 0 && bit_width(-8).bits == 4);

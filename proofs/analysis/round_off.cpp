@@ -63,11 +63,12 @@ constexpr double worst_in_float() {
 static_assert(worst_in_float<halved>() > 0 && worst_in_float<halved>() < 1.01 * constant<3, halved>());
 static_assert(worst_in_float<discriminant_lagrange>() > 0 &&
               worst_in_float<discriminant_lagrange>() < 1.01 * constant<3, discriminant_lagrange>());
-static_assert(worst_in_float<coefficient_c>() >= 0);
 
-// Lagrange's form is right where the halved one is not: the second of them, far away, by a factor.
-static_assert(error_in_float<discriminant_lagrange>(chosen[2]) < error_in_float<halved>(chosen[2]) ||
-              error_in_float<discriminant_lagrange>(chosen[1]) < error_in_float<halved>(chosen[1]));
+// Lagrange's form errs ten thousand times less than the halved one where balls graze, are far or are small.
+constexpr bool errs_far_less(const std::array<int, 7>& x) {
+    return 10000 * error_in_float<discriminant_lagrange>(x) < error_in_float<halved>(x);
+}
+static_assert(errs_far_less(chosen[0]) && errs_far_less(chosen[1]) && errs_far_less(chosen[2]));
 
 // Of 30-bit integers in doubles: |computed - exact| 2^53 <= K length² velocity², all as integers.
 template <class F>
