@@ -1,0 +1,65 @@
+// An order of the parts of a scene that depends on what they are, not on where they stand in its lists.
+#pragma once
+
+#include <graze/shape/ball.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/wall.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace graze::detail {
+
+// The sign of the lexicographic order of two vectors.
+template <int N, class T>
+[[nodiscard]] constexpr int order_of(const vec<N, T>& x, const vec<N, T>& y) {
+    for (int i = 0; i < N; ++i) {
+        if (x[i] < y[i]) {
+            return -1;
+        }
+        if (y[i] < x[i]) {
+            return 1;
+        }
+    }
+    return 0;
+}
+template <class T>
+[[nodiscard]] constexpr int order_of(const T& x, const T& y) {
+    return x < y ? -1 : y < x ? 1 : 0;
+}
+
+template <int N, class T>
+[[nodiscard]] constexpr bool precedes(const ball<N, T>& x, const ball<N, T>& y) {
+    const int position = order_of(x.position, y.position);
+    const int velocity = position != 0 ? position : order_of(x.velocity, y.velocity);
+    const int radius = velocity != 0 ? velocity : order_of(x.radius, y.radius);
+    return (radius != 0 ? radius : order_of(x.mass, y.mass)) < 0;
+}
+template <int N, class T>
+[[nodiscard]] constexpr bool precedes(const plane<N, T>& x, const plane<N, T>& y) {
+    const int point = order_of(x.point, y.point);
+    return (point != 0 ? point : order_of(x.normal, y.normal)) < 0;
+}
+template <int N, class T>
+[[nodiscard]] constexpr bool precedes(const wall<N, T>& x, const wall<N, T>& y) {
+    int order = order_of(x.corner, y.corner);
+    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N) && order == 0; ++i) {
+        order = order_of(x.edge[i], y.edge[i]);
+    }
+    return order < 0;
+}
+
+// The indices of the parts in that order; those of equal parts, between which nothing tells, as they come.
+template <class Part>
+[[nodiscard]] std::vector<int> canonical_order(std::span<const Part> parts) {
+    std::vector<int> order(parts.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+        return precedes(parts[static_cast<std::size_t>(i)], parts[static_cast<std::size_t>(j)]);
+    });
+    return order;
+}
+
+} // namespace graze::detail

@@ -1,0 +1,96 @@
+// Bad input in a scene, named: which part, which field, what is wrong.
+#pragma once
+
+#include <graze/formula/wall_features.hpp>
+#include <graze/predicate/input_check.hpp>
+#include <graze/scene/scene.hpp>
+
+#include <string>
+
+namespace graze {
+
+namespace detail {
+
+// Whether x is a number that is not infinite: those alone have a difference of 0 to themselves.
+template <number T>
+[[nodiscard]] constexpr bool is_finite_number(const T& x) {
+    if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>) {
+        return is_finite_input(x);
+    } else {
+        return T(x - x) == T(0);
+    }
+}
+template <int N, class T>
+[[nodiscard]] constexpr bool is_finite_vector(const vec<N, T>& x) {
+    for (int i = 0; i < N; ++i) {
+        if (!is_finite_number(x[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+template <int N, class T>
+[[nodiscard]] constexpr bool is_zero_vector(const vec<N, T>& x) {
+    for (int i = 0; i < N; ++i) {
+        if (graze::sign(x[i]) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// What is wrong with it, or nullptr.
+template <int N, class T>
+[[nodiscard]] constexpr const char* fault_of(const ball<N, T>& b) {
+    return !is_finite_vector(b.position)   ? "position is not finite"
+           : !is_finite_vector(b.velocity) ? "velocity is not finite"
+           : !is_finite_number(b.radius)   ? "radius is not finite"
+           : graze::sign(b.radius) < 0     ? "radius is negative"
+           : graze::sign(b.mass) <= 0      ? "mass is not positive"
+                                           : nullptr;
+}
+template <int N, class T>
+[[nodiscard]] constexpr const char* fault_of(const plane<N, T>& p) {
+    return !is_finite_vector(p.point)    ? "point is not finite"
+           : !is_finite_vector(p.normal) ? "normal is not finite"
+           : is_zero_vector(p.normal)    ? "normal is zero"
+                                         : nullptr;
+}
+// All but whether edges are parallel, which is the sign of a formula that T may round.
+template <int N, class T>
+[[nodiscard]] constexpr const char* fault_of(const wall<N, T>& w) {
+    if (!is_finite_vector(w.corner)) {
+        return "corner is not finite";
+    }
+    for (const auto& e : w.edge) {
+        if (!is_finite_vector(e)) {
+            return "edge is not finite";
+        }
+        if (is_zero_vector(e)) {
+            return "edge is zero";
+        }
+    }
+    return nullptr;
+}
+
+template <class Part>
+void check_parts(std::span<const Part> parts, const char* kind) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (const char* fault = fault_of(parts[i])) {
+            reject((kind + std::to_string(i)).c_str(), fault);
+        }
+    }
+}
+
+} // namespace detail
+
+// Throws std::domain_error that names the first part at fault ("ball 17: radius is negative"): a NaN or an infinity
+// anywhere but in a mass, a negative radius, a mass that is not positive, a zero normal, a zero edge.
+template <int N, class T>
+void check(const scene<N, T>& s) {
+    detail::check_parts(s.balls, "ball ");
+    detail::check_parts(s.planes, "plane ");
+    detail::check_parts(s.walls, "wall ");
+}
+
+} // namespace graze

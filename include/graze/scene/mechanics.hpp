@@ -1,0 +1,103 @@
+// What a run of a scene asks of a number type. The run is written once for all of them and compares no numbers itself:
+// every decision that can change the sequence of events is the mechanics'.
+#pragma once
+
+#include <graze/scene/meeting.hpp>
+#include <graze/shape/flight.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/wall.hpp>
+
+#include <concepts>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace graze {
+
+// Doubles that enclose a time: it is not before lower and not after upper. Infinite where it is beyond a double.
+struct time_bounds {
+    double lower;
+    double upper;
+};
+
+// Thrown by a mechanics that cannot tell the sign of a comparison (intervals that overlap at their precision). The run
+// adds who is compared, and is left as it was before the event.
+class undecided : public std::runtime_error {
+  public:
+    // comparison: what is not known, as in "the order of two times". about: when, in the scene's time.
+    explicit undecided(const std::string& comparison, double about)
+        : std::runtime_error(comparison + " is undecided"), about_(about) {}
+
+    // About when.
+    [[nodiscard]] double about() const noexcept { return about_; }
+    // The meeting that was looked at; of two whose order was asked, the first and the second.
+    [[nodiscard]] const std::optional<meeting>& first() const noexcept { return first_; }
+    [[nodiscard]] const std::optional<meeting>& second() const noexcept { return second_; }
+
+    void between(const meeting& x) noexcept { first_ = x; }
+    void between(const meeting& x, const meeting& y) noexcept {
+        first_ = x;
+        second_ = y;
+    }
+
+  private:
+    double about_;
+    std::optional<meeting> first_;
+    std::optional<meeting> second_;
+};
+
+// The questions about a ball and something that stands, a plane or a wall (S).
+//   meet      as for two balls
+//   bounce    as for two balls
+//   side      the sign of (x - p)·n at the time since, n being the normal of the plane or the wall's face
+//   heading   the sign of u·n
+//   turn_back the velocity reflected in the plane or the wall's face; position and since stay
+// The last three are asked for points alone, which the rounding of a position may carry across what they bounced off.
+template <class M, class S>
+concept mechanics_of_standing = requires(const M& m, const typename M::state& a, typename M::state& changed, const S& s,
+                                         const typename M::time& t) {
+    { m.meet(a, s) } -> std::same_as<std::optional<typename M::time>>;
+    { m.side(a, s) } -> std::same_as<int>;
+    { m.heading(a, s) } -> std::same_as<int>;
+    m.bounce(changed, s, t);
+    m.turn_back(changed, s);
+};
+
+// dimension  N, 2 or 3
+// number     what the scene's numbers are made of; has a total order <, used to number balls by what they are
+// state      a ball in flight: flight<N, number>, or more
+// time       of an event, counted from the scene's t = 0
+// start      a ball as it is at t = 0
+// meet       when two balls first touch or, if they overlap and approach, the later of the two times since; looked at
+//            from the later of the two times since on; empty when they recede or miss. Depends on its arguments alone:
+//            a run asks the same again, and takes the balls always in one order
+// order      the sign of s - t; of two events, and of an event and a number
+// bounds     doubles around a time
+// now        the time since which a ball flies
+// about      the state rounded to doubles: each component within 2^-50 of it, relatively
+// immovable  whether a ball's mass is infinite
+// is_point   whether its radius is 0
+// bounce     both balls advanced to their contact and resolved (a graze leaves velocities as they are); since is then
+//            the time of the contact. An immovable ball's state stays as it is, its since too. At most one is immovable
+// Each may throw `undecided`, after which the run has not changed.
+template <class M>
+concept mechanics = requires(const M& m, const ball<M::dimension, typename M::number>& b, const typename M::state& a,
+                             typename M::state& changed, const typename M::time& t, const typename M::number& x) {
+    requires std::copyable<typename M::state>;
+    requires std::copyable<typename M::time>;
+    requires std::totally_ordered<typename M::number>;
+    { m.start(b) } -> std::same_as<typename M::state>;
+    { m.meet(a, a) } -> std::same_as<std::optional<typename M::time>>;
+    { m.order(t, t) } -> std::same_as<int>;
+    { m.order(t, x) } -> std::same_as<int>;
+    { m.bounds(t) } -> std::same_as<time_bounds>;
+    { m.now(a) } -> std::same_as<typename M::time>;
+    { m.about(a) } -> std::same_as<flight<M::dimension, double>>;
+    { m.immovable(a) } -> std::same_as<bool>;
+    { m.is_point(a) } -> std::same_as<bool>;
+    m.bounce(changed, changed, t);
+}
+&&mechanics_of_standing<M, plane<M::dimension, typename M::number>>&&
+    mechanics_of_standing<M, wall<M::dimension, typename M::number>>;
+
+} // namespace graze

@@ -1,0 +1,31 @@
+// Who meets whom in a scene.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+
+namespace graze {
+
+// What a ball meets.
+enum class partner : std::uint8_t { ball, plane, wall };
+
+[[nodiscard]] constexpr const char* to_string(partner p) noexcept {
+    return p == partner::ball ? "ball" : p == partner::plane ? "plane" : "wall";
+}
+
+// Ball `a` and ball, plane or wall `b`: indices into the spans of the scene.
+struct meeting {
+    partner with = partner::ball;
+    int a = 0;
+    int b = 0;
+
+    [[nodiscard]] friend constexpr auto operator<=>(const meeting&, const meeting&) = default;
+};
+
+// "ball 3 and plane 0".
+[[nodiscard]] inline std::string to_string(const meeting& m) {
+    return "ball " + std::to_string(m.a) + " and " + to_string(m.with) + " " + std::to_string(m.b);
+}
+
+} // namespace graze

@@ -1,0 +1,189 @@
+// The parts of a scene while a run changes them, and the questions about them.
+#pragma once
+
+#include <graze/scene/canonical_order.hpp>
+#include <graze/scene/check_scene.hpp>
+#include <graze/scene/kept_sides.hpp>
+#include <graze/scene/mechanics.hpp>
+
+#include <utility>
+
+namespace graze::detail {
+
+// A ball of a run. count: of its events; what was foreseen with another count is no longer true. An immovable ball's
+// flight never changes, nor does its count. last: whom it met last.
+template <class State>
+struct mover {
+    State state;
+    std::uint32_t count = 0;
+    body last = no_body;
+    bool immovable = false;
+    bool point = false;
+};
+
+// Balls, planes and walls in their canonical order, by which everything here is numbered, so that nothing depends on
+// the order in which the scene lists them.
+template <mechanics M>
+class moving_scene {
+  public:
+    static constexpr int dimension = M::dimension;
+    using number = typename M::number;
+    using state = typename M::state;
+    using time = typename M::time;
+
+    moving_scene(const scene<dimension, number>& s, M m) : mechanics_(std::move(m)) {
+        check(s);
+        const auto sorted = [](const auto& parts, std::vector<int>& names) {
+            names = canonical_order(parts);
+            std::vector<std::remove_cvref_t<decltype(parts[0])>> result;
+            result.reserve(names.size());
+            for (const int i : names) {
+                result.push_back(parts[static_cast<std::size_t>(i)]);
+            }
+            return result;
+        };
+        planes_ = sorted(s.planes, plane_names_);
+        walls_ = sorted(s.walls, wall_names_);
+        ball_names_ = canonical_order(s.balls);
+        movers_.reserve(ball_names_.size());
+        bool points = false;
+        for (const int i : ball_names_) {
+            mover<state> b{mechanics_.start(s.balls[static_cast<std::size_t>(i)])};
+            b.immovable = mechanics_.immovable(b.state);
+            b.point = mechanics_.is_point(b.state);
+            points = points || b.point;
+            movers_.push_back(std::move(b));
+        }
+        kept_.resize(points && bodies() > balls() ? movers_.size() : 0);
+    }
+
+    [[nodiscard]] const M& rules() const noexcept { return mechanics_; }
+    [[nodiscard]] body balls() const noexcept { return static_cast<body>(movers_.size()); }
+    [[nodiscard]] body bodies() const noexcept {
+        return static_cast<body>(movers_.size() + planes_.size() + walls_.size());
+    }
+    [[nodiscard]] mover<state>& operator[](body a) noexcept { return movers_[a]; }
+    [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return movers_[a]; }
+    [[nodiscard]] int name(body a) const noexcept { return ball_names_[a]; }
+
+    // By the scene's own indices, the smaller one of two balls first.
+    [[nodiscard]] meeting named(body a, body b) const noexcept {
+        if (b < balls()) {
+            return {partner::ball, name(a), name(b)};
+        }
+        const std::size_t standing = b - balls();
+        return standing < planes_.size() ? meeting{partner::plane, name(a), plane_names_[standing]}
+                                         : meeting{partner::wall, name(a), wall_names_[standing - planes_.size()]};
+    }
+
+    [[nodiscard]] bool is_stale(const foreseen& f) const noexcept {
+        return movers_[f.a].count != f.count_a || (f.b < balls() && movers_[f.b].count != f.count_b);
+    }
+
+    // Whether the two have just met: neither has had another event since, and both fly straight, so that they part.
+    // What meets an immovable ball changes nothing for that ball.
+    [[nodiscard]] bool have_just_met(body a, body b) const noexcept {
+        const auto turned = [&](body x, body y) { return !movers_[x].immovable && movers_[x].last != y; };
+        return !turned(a, b) && !(b < balls() && turned(b, a)) && (movers_[a].last == b || movers_[b].last == a);
+    }
+
+    // When a and b meet, a < b; empty if they don't.
+    [[nodiscard]] std::optional<time> meet(body a, body b) const {
+        try {
+            if (b < balls()) {
+                return mechanics_.meet(movers_[a].state, movers_[b].state);
+            }
+            return with_standing(b, [&](const auto& s) { return meet_standing(a, b, s); });
+        } catch (undecided& e) {
+            e.between(named(a, b));
+            throw;
+        }
+    }
+
+    // Ball a's state, and b's if it is a ball, after they have met.
+    void bounce(body a, body b, const time& when) {
+        mover<state>& x = movers_[a];
+        if (b < balls()) {
+            mechanics_.bounce(x.state, movers_[b].state, when);
+            movers_[b].last = a;
+            movers_[b].count += movers_[b].immovable ? 0 : 1;
+            tidy(b);
+        } else {
+            with_standing(b, [&](const auto& s) { bounce_standing(a, b, s, when); });
+        }
+        x.last = b;
+        x.count += x.immovable ? 0 : 1;
+        tidy(a, b);
+    }
+
+    // What bounce changes of a ball, to put it back.
+    struct memory {
+        mover<state> ball;
+        kept_sides kept;
+    };
+    [[nodiscard]] memory remember(body a) const { return {movers_[a], kept_.empty() ? kept_sides{} : kept_[a]}; }
+    void restore(body a, memory& m) noexcept {
+        movers_[a] = std::move(m.ball);
+        if (!kept_.empty()) {
+            kept_[a] = m.kept;
+        }
+    }
+
+  private:
+    template <class F>
+    decltype(auto) with_standing(body b, F f) const {
+        const std::size_t standing = b - balls();
+        return standing < planes_.size() ? f(planes_[standing]) : f(walls_[standing - planes_.size()]);
+    }
+
+    // Whether the rounding of a point's position has carried it across b, or onto it.
+    template <class S>
+    [[nodiscard]] bool is_beyond(body a, const S& s, int side) const {
+        return side != 0 && mechanics_.side(movers_[a].state, s) * side <= 0;
+    }
+    [[nodiscard]] int kept_side(body a, body b) const noexcept { return kept_.empty() ? 0 : kept_[a].of(b); }
+
+    template <class S>
+    [[nodiscard]] std::optional<time> meet_standing(body a, body b, const S& s) const {
+        if (const int side = kept_side(a, b); is_beyond(a, s, side)) {
+            return mechanics_.heading(movers_[a].state, s) * side < 0
+                       ? std::optional<time>(mechanics_.now(movers_[a].state))
+                       : std::nullopt;
+        }
+        return mechanics_.meet(movers_[a].state, s);
+    }
+
+    template <class S>
+    void bounce_standing(body a, body b, const S& s, const time& when) {
+        state& x = movers_[a].state;
+        if (is_beyond(a, s, kept_side(a, b))) {
+            mechanics_.turn_back(x, s);
+            return;
+        }
+        const int from = kept_.empty() || !movers_[a].point ? 0 : -mechanics_.heading(x, s);
+        mechanics_.bounce(x, s, when);
+        if (from != 0) {
+            kept_[a].keep(b, from);
+        }
+    }
+
+    // Forgets the sides of a point that is where it belongs; of the plane or wall that it has just left it is asked at
+    // its next event.
+    void tidy(body a, body left = no_body) {
+        if (kept_.empty() || !movers_[a].point) {
+            return;
+        }
+        kept_[a].forget_if([&](body b, int side) {
+            return b != left && with_standing(b, [&](const auto& s) { return !is_beyond(a, s, side); });
+        });
+    }
+
+    M mechanics_;
+    std::vector<mover<state>> movers_;
+    std::vector<kept_sides> kept_; // of the points, if there are any and something that they can cross
+    std::vector<plane<dimension, number>> planes_;
+    std::vector<wall<dimension, number>> walls_;
+    std::vector<int> ball_names_, plane_names_, wall_names_;
+};
+
+} // namespace graze::detail

@@ -1,0 +1,70 @@
+// What a run is asked for, what it tells while it goes on, and how it ended.
+#pragma once
+
+#include <graze/scene/mechanics.hpp>
+
+#include <cstdint>
+#include <limits>
+
+namespace graze {
+
+// How far to go: up to and with events at a time, or a number of events, whichever is first; without either, until
+// nothing more happens. cascade: so many events in a row of which none is certainly later than the first end the run as
+// a cascade without end; 0 stands for 1000 and a hundred more for each ball.
+template <class T>
+struct run_limits {
+    std::optional<T> time{};
+    std::uint64_t events = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t cascade = 0;
+};
+
+// time: every event up to the time asked for has been done. events: so many have been. exhausted: nothing more will
+// ever happen, so that a later time or a larger number of events cannot be reached by an event. stopped: the observer
+// said so. cascade: events follow each other without end while time stands still.
+enum class ending { time, events, exhausted, stopped, cascade };
+
+[[nodiscard]] constexpr const char* to_string(ending e) noexcept {
+    switch (e) {
+    case ending::time:
+        return "time";
+    case ending::events:
+        return "events";
+    case ending::exhausted:
+        return "exhausted";
+    case ending::stopped:
+        return "stopped";
+    case ending::cascade:
+        return "cascade";
+    }
+    return "unknown";
+}
+
+// events: done in this call. choices: how many of them shared a ball with another event of exactly the same time, so
+// that an order had to be chosen; it depends on the scene's numbers alone.
+struct outcome {
+    ending why;
+    std::uint64_t events = 0;
+    std::uint64_t choices = 0;
+};
+
+// One event, told when it has been done. who: by the scene's indices. when: its time. before_a, after_a: ball a's
+// states; before_b, after_b: ball b's, or nullptr for a plane or a wall. chosen: it is one of outcome::choices.
+// References are valid until the observer returns.
+template <mechanics M>
+struct run_event {
+    meeting who;
+    const typename M::time& when;
+    const typename M::state& before_a;
+    const typename M::state& after_a;
+    const typename M::state* before_b;
+    const typename M::state* after_b;
+    bool chosen;
+};
+
+// The observer of a run that nobody watches.
+struct ignore_event {
+    template <class E>
+    constexpr void operator()(const E&) const noexcept {}
+};
+
+} // namespace graze

@@ -1,0 +1,160 @@
+// A run in any number type, by the formulas as they are.
+#pragma once
+
+#include <graze/formula/solve.hpp>
+#include <graze/scene/mechanics.hpp>
+
+#include <limits>
+#include <utility>
+
+namespace graze {
+
+// Predictions and contacts in T by the formulas of `solve`, in variant V and root form F, each operation with T's own
+// error: nothing is promised of decisions, order or states. Of two balls of different times since, the earlier one is
+// first advanced to the later time, in T.
+template <int N, number T, variant V = variant::halved, root_form F = root_form::stable>
+requires field_number<T> && has_sqrt<T> && has_variant<V, T>
+struct plain_mechanics {
+    static constexpr int dimension = N;
+    using number = T;
+    using state = flight<N, T>;
+    using time = T;
+
+    [[nodiscard]] constexpr state start(const ball<N, T>& b) const { return {b, T(0)}; }
+
+    [[nodiscard]] constexpr std::optional<T> meet(const state& a, const state& b) const {
+        const T from = later(a, b);
+        const auto m = relative_motion_of(ball_at(a, from), ball_at(b, from));
+        return first_time(m, from, [&](const quadratic<T, T, T>& q) {
+            return T(detail::discriminant_by<V, T>(q, [&] { return T(discriminant_lagrange{}(m)); }));
+        });
+    }
+    [[nodiscard]] constexpr std::optional<T> meet(const state& a, const plane<N, T>& p) const {
+        const auto m = relative_motion_of(a.state, p);
+        const T height = plane_height{}(m);
+        const T speed = plane_speed{}(m);
+        const encounter what = encounter_of([&] { return graze::sign(height) * graze::sign(speed); },
+                                            [&] { return graze::sign(T(plane_clearance{}(m))); }, [] { return 1; });
+        if (!is_collision(what)) {
+            return std::nullopt;
+        }
+        if (what == encounter::overlap) {
+            return a.since;
+        }
+        const T reach = m.r * graze::square_root(T(graze::squared_norm(m.n)));
+        return T(a.since + T(plane_touch_time{}(height, speed, reach)));
+    }
+    [[nodiscard]] constexpr std::optional<T> meet(const state& a, const wall<N, T>& w) const {
+        const auto m = relative_motion_of(a.state, w);
+        const detail::direct_signs<V, T, std::remove_cvref_t<decltype(m)>> signs(m);
+        const wall_encounter found = wall_decision<N, decltype(signs)>(signs)();
+        if (!is_collision(found.what)) {
+            return std::nullopt;
+        }
+        if (found.what == encounter::overlap) {
+            return a.since;
+        }
+        if (found.where == feature::face) {
+            return meet(a, plane<N, T>{w.corner, m.n});
+        }
+        if constexpr (N == 3) {
+            if (found.where == feature::edge) {
+                const auto view = seen_from(m, edge_view(found.index));
+                return root_from(a.since, edge_quadratic(view), signs.discriminant_of_edge(view), found.what);
+            }
+        }
+        const auto view = seen_from(m, wall_view{found.index, false});
+        return root_from(a.since, quadratic_of(corner_motion(view)), signs.discriminant_of_corner(view), found.what);
+    }
+
+    [[nodiscard]] constexpr int order(const T& s, const T& t) const { return s < t ? -1 : t < s ? 1 : 0; }
+    // T itself where it is a double or less; otherwise widened by more than a conversion to double may round.
+    [[nodiscard]] constexpr time_bounds bounds(const T& t) const {
+        const double near = as_double(t);
+        if constexpr (number_traits<T>::digits > 0 && number_traits<T>::digits <= 53) {
+            return {near, near};
+        } else {
+            const double off = (near < 0 ? -near : near) * 0x1p-50 + std::numeric_limits<double>::min();
+            return {near - off, near + off};
+        }
+    }
+    [[nodiscard]] constexpr T now(const state& a) const { return a.since; }
+    [[nodiscard]] constexpr flight<N, double> about(const state& a) const {
+        return {{make_vec<N>([&](int i) { return as_double(a.state.position[i]); }),
+                 make_vec<N>([&](int i) { return as_double(a.state.velocity[i]); }), as_double(a.state.radius),
+                 as_double(a.state.mass)},
+                as_double(a.since)};
+    }
+
+    [[nodiscard]] constexpr bool immovable(const state& a) const { return graze::sign(T(T(1) / a.state.mass)) == 0; }
+    [[nodiscard]] constexpr bool is_point(const state& a) const { return graze::sign(a.state.radius) == 0; }
+
+    constexpr void bounce(state& a, state& b, const T& when) const {
+        const T from = later(a, b);
+        const auto s = solve<V, F>(ball_at(a, from), ball_at(b, from));
+        if (!immovable(a)) {
+            leave(a, s.position_a, s.velocity_a, when);
+        }
+        if (!immovable(b)) {
+            leave(b, s.position_b, s.velocity_b, when);
+        }
+    }
+    constexpr void bounce(state& a, const plane<N, T>& p, const T& when) const { bounce_off(a, p, when); }
+    constexpr void bounce(state& a, const wall<N, T>& w, const T& when) const { bounce_off(a, w, when); }
+
+    [[nodiscard]] constexpr int side(const state& a, const plane<N, T>& p) const {
+        return graze::sign(T(plane_height{}(relative_motion_of(a.state, p))));
+    }
+    [[nodiscard]] constexpr int side(const state& a, const wall<N, T>& w) const { return side(a, plane_of(w)); }
+    [[nodiscard]] constexpr int heading(const state& a, const plane<N, T>& p) const {
+        return graze::sign(T(plane_speed{}(relative_motion_of(a.state, p))));
+    }
+    [[nodiscard]] constexpr int heading(const state& a, const wall<N, T>& w) const { return heading(a, plane_of(w)); }
+    constexpr void turn_back(state& a, const plane<N, T>& p) const {
+        a.state.velocity = reflected_unnormalised(a.state.velocity, p.normal);
+    }
+    constexpr void turn_back(state& a, const wall<N, T>& w) const { turn_back(a, plane_of(w)); }
+
+    // The ball as it is at a time.
+    [[nodiscard]] constexpr ball<N, T> ball_at(const state& a, const T& when) const {
+        return {position_at(a.state.position, a.state.velocity, T(when - a.since)), a.state.velocity, a.state.radius,
+                a.state.mass};
+    }
+
+  private:
+    [[nodiscard]] static constexpr double as_double(const T& x) { return static_cast<double>(x); }
+    [[nodiscard]] static constexpr T later(const state& a, const state& b) {
+        return a.since < b.since ? b.since : a.since;
+    }
+    [[nodiscard]] static constexpr T root_from(const T& from, const quadratic<T, T, T>& q, const T& discriminant,
+                                               encounter what) {
+        return T(from + detail::first_root<F>(q, discriminant, what));
+    }
+    template <class M, class D>
+    [[nodiscard]] static constexpr std::optional<T> first_time(const M& m, const T& from, D discriminant_of) {
+        const quadratic<T, T, T> q = quadratic_of(m);
+        T discriminant(0);
+        const encounter what = encounter_of([&] { return graze::sign(q.h); }, [&] { return graze::sign(q.c); },
+                                            [&] { return graze::sign(discriminant = discriminant_of(q)); });
+        if (!is_collision(what)) {
+            return std::nullopt;
+        }
+        return what == encounter::overlap ? from : root_from(from, q, discriminant, what);
+    }
+    [[nodiscard]] static constexpr plane<N, T> plane_of(const wall<N, T>& w) {
+        const auto still = make_vec<N>([](int) { return T(0); });
+        return {w.corner, wall_motion_of(still, still, w.edge, T(0)).n};
+    }
+    static constexpr void leave(state& a, const vec<N, T>& position, const vec<N, T>& velocity, const T& when) {
+        a.state.position = position;
+        a.state.velocity = velocity;
+        a.since = when;
+    }
+    template <class S>
+    constexpr void bounce_off(state& a, const S& standing, const T& when) const {
+        const auto s = solve<V, F>(a.state, standing);
+        leave(a, s.position, s.velocity, when);
+    }
+};
+
+} // namespace graze
