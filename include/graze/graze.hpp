@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/contact/collide.hpp>
+#include <graze/contact/collide_flights.hpp>
 #include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/predicate/classify_numbers.hpp>

@@ -29,13 +29,13 @@ struct two_massive_balls {
             return make_vec<N>([&](int i) { return group.template get<I>(from + static_cast<std::size_t>(i)); });
         };
         const auto relative = two_balls<N>::template motion<I>(in.pair);
-        return exact_balls<N, I, std::remove_cvref_t<decltype(relative)>>{relative,
-                                                                          vector(in.pair.length, 0),
-                                                                          vector(in.pair.length, N),
-                                                                          vector(in.pair.velocity, 0),
-                                                                          vector(in.pair.velocity, N),
-                                                                          in.mass.template get<I>(0),
-                                                                          in.mass.template get<I>(1)};
+        return exact_balls<N, std::remove_cvref_t<decltype(relative)>, I, I, I>{relative,
+                                                                                vector(in.pair.length, 0),
+                                                                                vector(in.pair.length, N),
+                                                                                vector(in.pair.velocity, 0),
+                                                                                vector(in.pair.velocity, N),
+                                                                                in.mass.template get<I>(0),
+                                                                                in.mass.template get<I>(1)};
     }
 };
 
@@ -49,19 +49,24 @@ struct two_massive_balls {
 [[nodiscard]] constexpr bool is_infinite_mass(const double& x) noexcept { return bits_of(x) == 0x7ff0000000000000U; }
 [[nodiscard]] constexpr bool is_infinite_mass(const float& x) noexcept { return bits_of(x) == 0x7f800000U; }
 
+// Never constexpr, as reject.
+[[noreturn]] inline void reject_infinite_masses(const char* a, const char* b) {
+    throw std::domain_error(std::string(b) + ": mass is infinite, as that of " + a + " is");
+}
+
 template <class T>
-constexpr void check_masses(const T& a, const T& b) {
+constexpr void check_masses(const T& a, const T& b, const char* name_a = "ball a", const char* name_b = "ball b") {
     if (is_plain_mass(a) && is_plain_mass(b)) [[likely]] {
         return;
     }
     if (!is_plain_mass(a) && !is_infinite_mass(a)) {
-        reject("ball a", "mass is not positive");
+        reject(name_a, "mass is not positive");
     }
     if (!is_plain_mass(b) && !is_infinite_mass(b)) {
-        reject("ball b", "mass is not positive");
+        reject(name_b, "mass is not positive");
     }
     if (is_infinite_mass(a) && is_infinite_mass(b)) {
-        reject("ball b", "mass is infinite, as that of ball a is");
+        reject_infinite_masses(name_a, name_b);
     }
 }
 

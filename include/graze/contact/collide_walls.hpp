@@ -51,11 +51,21 @@ template <class P, int N, class T, class Shape>
     });
 }
 
+// Times as they come, from the instant of the positions.
+struct own_clock {
+    [[nodiscard]] bounded_word operator()(const bounded_word& time) const noexcept { return time; }
+    // What is left to be rounded by integers.
+    template <class... Pair>
+    [[nodiscard]] constexpr parts without_time(auto&, parts wanted, const Pair&...) const noexcept {
+        return wanted;
+    }
+};
+
 // The contact of a ball for which it has been decided what becomes of it.
-template <class P, int N, class T, class Shape, class Observer>
-[[nodiscard]] constexpr std::optional<wall_contact<N, T>> contact_of(P pair, const wall_encounter& found,
-                                                                     stage decided_by, const ball<N, T>& b,
-                                                                     const Shape& shape, Observer&& observer) {
+template <class P, int N, class T, class Shape, class Observer, class Clock = own_clock>
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>>
+contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, T>& b, const Shape& shape,
+           Observer&& observer, const Clock& clock = {}) {
     if (!is_collision(found.what)) {
         observer(decided_by);
         return std::nullopt;
@@ -70,11 +80,11 @@ template <class P, int N, class T, class Shape, class Observer>
     if constexpr (has_error_free_doubles) {
         if (!std::is_constant_evaluated() && found.what == encounter::hit && found.where == feature::face &&
             rounds_to_nearest()) {
-            wanted = fast_face(*c, b, shape);
+            wanted = fast_face(*c, b, shape, clock);
         }
     }
     if (wanted != 0) {
-        complete(pair, *c, wanted, found.what, found.index, b, shape);
+        complete(pair, *c, clock.without_time(*c, wanted, found, pair, b, shape), found.what, found.index, b, shape);
     }
     observer(wanted != 0 ? stage::exact : decided_by);
     return c;

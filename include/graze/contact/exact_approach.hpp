@@ -27,11 +27,14 @@ struct exact_path {
     radicand<Z> discriminant;
     scales units;
 
-    [[nodiscard]] constexpr T time() const { return round_root<T>(a, h, discriminant, units.time()); }
+    template <class From = from_now>
+    [[nodiscard]] constexpr T time(const From& counted = {}) const {
+        return round_root<T>(a, h, discriminant, units.time(), rounding::nearest, counted);
+    }
 
     // Of a centre that is at x now and moves with u.
-    template <class I>
-    [[nodiscard]] constexpr T position(const I& x, const I& u) const {
+    template <class I, class J>
+    [[nodiscard]] constexpr T position(const I& x, const J& u) const {
         return round_to<T>(a * x - h * u, -u, discriminant, a, units.length);
     }
 };

@@ -9,16 +9,18 @@
 namespace graze::detail {
 
 // Two balls in integers, with their masses; (1, 0) where the first one is infinite.
-template <int N, class I, class M>
+template <int N, class M, class X, class U, class W>
 struct exact_balls {
     M relative;
-    vec<N, I> position_a, position_b, velocity_a, velocity_b;
-    I mass_a, mass_b;
+    vec<N, X> position_a, position_b;
+    vec<N, U> velocity_a, velocity_b;
+    W mass_a, mass_b;
 };
 
-template <int N, class T, class I, class M>
-constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, I, M>& e,
-                           scales units) {
+// An overlap's time and positions are no matter of its.
+template <int N, class T, class M, class X, class U, class W, class From = from_now>
+constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, M, X, U, W>& e,
+                           scales units, const From& counted = {}) {
     const auto twice_a = graze::twice(e.mass_a);
     const auto twice_b = graze::twice(e.mass_b);
     const auto sum = e.mass_a + e.mass_b;
@@ -41,7 +43,7 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     }
     const exact_approach<T, M> exact(e.relative, units);
     if (has_time(wanted)) {
-        c.time = exact.path.time();
+        c.time = exact.path.time(counted);
     }
     fill(c.position_a, wanted, part::position_a,
          [&](int i) { return exact.path.position(e.position_a[i], e.velocity_a[i]); });

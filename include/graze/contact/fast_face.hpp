@@ -43,8 +43,10 @@ template <int N, class T>
 
 // Fills in the components of a hit that are certain and returns the others. An exact 0 is certain where no sum led to
 // it; what is below 2^-500 is left open.
-template <int N, class T, class Shape>
-[[nodiscard, gnu::noinline]] parts fast_face(wall_contact<N, T>& c, const ball<N, T>& b, const Shape& shape) noexcept {
+// clock(τ) is the time that is wanted.
+template <int N, class T, class Shape, class Clock>
+[[nodiscard, gnu::noinline]] parts fast_face(wall_contact<N, T>& c, const ball<N, T>& b, const Shape& shape,
+                                             const Clock& clock) noexcept {
     const vec<N, bounded_word> n = face_normal_of(shape);
     const auto x = as_bounded(b.position);
     const auto u = as_bounded(b.velocity);
@@ -76,7 +78,7 @@ template <int N, class T, class Shape>
     const bounded_word time = plane_touch_time{}(height, plane_speed{}(m), r * length); // (33) completed
     const auto position = position_at(x, u, time);
     const auto normal = contact_normal(n, graze::sign(height) < 0 ? -length : length);
-    take(time, 0, c.time);
+    take(clock(time), 0, c.time);
     take_vector(position, wall_part::position, c.position);
     take_vector(normal, wall_part::normal, c.normal);
     take_vector(position_at(position, normal, -r), wall_part::point, c.point);

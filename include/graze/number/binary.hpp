@@ -157,18 +157,21 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
     r.width = stored_exponent<T>(high) - r.lowest + stored_bits<T>(high) - r.zeros;
 }
 
+// Brings a group to a scale that is not above its own.
+template <std::size_t K>
+constexpr void lower(lifted<K>& x, int exponent) noexcept {
+    const int down = x.exponent - exponent;
+    x.lowest -= down;
+    x.exponent = exponent;
+    x.width += down;
+}
+
 // Brings two groups to their common scale and width.
 template <std::size_t K, std::size_t L>
 constexpr void align(lifted<K>& x, lifted<L>& y) noexcept {
     const int exponent = x.exponent < y.exponent ? x.exponent : y.exponent;
-    const auto rescale = [exponent](auto& group) {
-        const int up = group.exponent - exponent;
-        group.lowest -= up;
-        group.exponent = exponent;
-        group.width += up;
-    };
-    rescale(x);
-    rescale(y);
+    lower(x, exponent);
+    lower(y, exponent);
     x.width = y.width = x.width > y.width ? x.width : y.width;
 }
 

@@ -23,8 +23,8 @@ struct surd_integers<integer<Bits>> {
 };
 template <int Bits>
 struct surd_integers<sparse_integer<Bits>> {
-    static_assert(Bits <= 2112);
-    using type = sparse_integer<19456>;
+    static_assert(Bits <= 4160);
+    using type = sparse_integer<Bits <= 2112 ? 19456 : 38400>;
 };
 
 } // namespace detail
@@ -36,9 +36,9 @@ using surd_integer = typename detail::surd_integers<I>::type;
 
 namespace detail {
 
-// The largest scale of a value, 2^2098 for times (lengths up to 2^1023 over velocities from 2^-1074 on), over the
-// lowest half bit of doubles, 2^-1075; and the reverse, which is less.
-inline constexpr int largest_shift = 2098 + 1075 + 1;
+// The scale of a value over that of a boundary, which is in [-1075, 971], or the reverse: times have scales up to
+// 2^2098 (lengths up to 2^1023 over velocities from 2^-1074 on), and lengths of flights down to 2^-3119.
+inline constexpr int largest_shift = 3119 + 971;
 
 template <int Bits>
 [[nodiscard]] constexpr const sparse_integer<Bits>& to_sparse(const sparse_integer<Bits>& x) noexcept {
@@ -116,8 +116,8 @@ template <class T, class Z>
 
 } // namespace detail
 
-// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, |scale| <= 2098; p, q and r of any width up to Z's. An
-// exact zero gives +0.
+// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, -3119 <= scale <= 2098; p, q and r of any width up to
+// Z's. An exact zero gives +0.
 template <class T, class P, class Q, class Z, class R>
 [[nodiscard]] constexpr T round_to(const P& p, const Q& q, const radicand<Z>& d, const R& r, int scale,
                                    rounding mode = rounding::nearest) {

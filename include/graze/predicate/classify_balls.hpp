@@ -68,24 +68,31 @@ struct filtered_balls {
 template <class T>
 inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0x1p-450;
 
-template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a,
-                                                                     const ball<N, T>& b) noexcept {
-    using constant = ball_filter<N, T>;
+// Constants: a ball_filter's, for the motion m and |length|² as it is computed.
+template <class T, class Constants, class M>
+[[nodiscard, gnu::always_inline]] inline filtered_balls filter_motion(const M& m, double length2) noexcept {
     filtered_balls r;
-    const auto m = rounded_motion(a, b);
     const auto q = quadratic_of(m);
     r.h = q.h;
     r.c = q.c;
-    r.length2 = graze::squared_norm(m.dx) + m.R * m.R;
-    r.scale = q.a * r.length2;
+    r.length2 = length2;
+    r.scale = q.a * length2;
     r.discriminant = discriminant_halved{}(q);
-    const double bound = constant::discriminant * r.scale;
+    const double bound = Constants::discriminant * r.scale;
     // h² is to be large enough, and |D| and a|c| unless h > 0, when h |h| stands in for them.
     const double others = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c));
     const bool certain = std::min(r.h * r.h, std::max(others, r.h * std::fabs(r.h))) > bound;
     const bool in_range = (std::min(q.a, r.length2) > smallest_square<T>)&(r.scale < 0x1p570);
-    r.certain = certain & in_range & plain_radii(a.radius, b.radius);
+    r.certain = certain & in_range;
+    return r;
+}
+
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a,
+                                                                     const ball<N, T>& b) noexcept {
+    const auto m = rounded_motion(a, b);
+    auto r = filter_motion<T, ball_filter<N, T>>(m, graze::squared_norm(m.dx) + m.R * m.R);
+    r.certain = r.certain & plain_radii(a.radius, b.radius);
     return r;
 }
 

@@ -1,24 +1,18 @@
 // The exact time of a collision, as a value.
 #pragma once
 
+#include <graze/predicate/compare_with_number.hpp>
 #include <graze/predicate/enclosure.hpp>
 #include <graze/predicate/event.hpp>
 #include <graze/predicate/rounded_time.hpp>
 #include <graze/predicate/stage.hpp>
 
 #include <compare>
-#include <concepts>
-#include <cstdint>
 #include <type_traits>
 
 namespace graze {
 
 namespace detail {
-
-// What an impact time compares with: every value of it is a double or a 64-bit integer.
-template <class U>
-concept time_number = std::same_as<U, float> || std::same_as<U, double> ||
-    (std::integral<U> && sizeof(U) <= 8 && (std::signed_integral<U> || sizeof(U) < 8));
 
 // Held by time_of_impact, the only maker of impact times.
 struct impact_time_key {
@@ -46,11 +40,11 @@ class impact_time {
     // Against a time in any of these types, exactly: neither side is rounded. Unordered with NaN.
     template <detail::time_number U>
     [[nodiscard]] friend constexpr std::partial_ordering operator<=>(const impact_time& x, const U& time) {
-        return x.compare(time);
+        return detail::compare_with_number(x.event_, x.bounds_, time);
     }
     template <detail::time_number U>
     [[nodiscard]] friend constexpr bool operator==(const impact_time& x, const U& time) {
-        return x.compare(time) == 0;
+        return detail::compare_with_number(x.event_, x.bounds_, time) == 0;
     }
 
     // The sign of *this - y: -1, 0 or 1. The observer is told which stage decided.
@@ -89,34 +83,6 @@ class impact_time {
         : event_(arguments...), bounds_(bounds) {}
 
   private:
-    template <std::integral U>
-    [[nodiscard]] constexpr std::partial_ordering compare(const U& time) const {
-        return compare(static_cast<std::int64_t>(time), static_cast<std::int64_t>(time) >> 53 == 0);
-    }
-    template <std::floating_point U>
-    [[nodiscard]] constexpr std::partial_ordering compare(const U& time) const {
-        if (!detail::is_finite_input(time)) {
-            return time < 0   ? std::partial_ordering::greater
-                   : time > 0 ? std::partial_ordering::less
-                              : std::partial_ordering::unordered;
-        }
-        return compare(time, !detail::is_subnormal(time)); // which a mode may read as 0
-    }
-    // as_double: whether the conversion of this time to double is certainly exact.
-    template <class U>
-    [[nodiscard]] constexpr std::partial_ordering compare(const U& time, bool as_double) const {
-        if (as_double) {
-            const auto m = static_cast<double>(detail::as_stored(time));
-            if (bounds_.upper < m) {
-                return std::partial_ordering::less;
-            }
-            if (bounds_.lower > m) {
-                return std::partial_ordering::greater;
-            }
-        }
-        return detail::compare_exactly(event_, detail::to_binary(time)) <=> 0;
-    }
-
     detail::event<N, T> event_;
     detail::enclosure bounds_;
 };

@@ -20,44 +20,78 @@ template <class M>
 template <class M>
 using surd_integer_for = decltype(surd_integer_of(std::declval<M>()));
 
+// Times that count from the instant of the positions: way, which at the given speed takes the time, as it is.
+struct from_now {
+    template <class W, class S>
+    [[nodiscard]] constexpr const W& operator()(const W& way, const S&) const noexcept {
+        return way;
+    }
+};
+// And from an instant that is earlier by `start`.
+template <class I>
+struct from_earlier {
+    I start;
+    template <class W, class S>
+    [[nodiscard]] constexpr auto operator()(const W& way, const S& speed) const {
+        return way + start * speed;
+    }
+};
+
 // The smaller root (-h - √D)/a of a quadratic with a > 0, in units of 2^unit.
-template <class T, class Z, class A, class H>
+template <class T, class Z, class A, class H, class From = from_now>
 [[nodiscard]] constexpr T round_root(const A& a, const H& h, const radicand<Z>& discriminant, int unit,
-                                     rounding mode = rounding::nearest) {
-    return round_to<T>(-h, Z(-1), discriminant, a, unit, mode);
+                                     rounding mode = rounding::nearest, const From& counted = {}) {
+    return round_to<T>(counted(-h, a), Z(-1), discriminant, a, unit, mode);
 }
 
 // When a ball that approaches a plane touches it, (33) completed: (|w·n| - r √(n·n))/|u·n|.
-template <class T, class Z, class M>
+template <class T, class Z, class M, class From = from_now>
 [[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<Z>& normal, int unit,
-                                           rounding mode = rounding::nearest) {
+                                           rounding mode = rounding::nearest, const From& counted = {}) {
     const auto height = plane_height{}(m);
-    const auto speed = plane_speed{}(m); // of the other sign
+    const auto other = plane_speed{}(m); // of the other sign
     const bool below = graze::sign(height) < 0;
-    return round_to<T>(below ? -height : height, -m.r, normal, below ? speed : -speed, unit, mode);
+    const auto speed = below ? other : -other;
+    return round_to<T>(counted(below ? -height : height, speed), -m.r, normal, speed, unit, mode);
 }
 
 // The same of the centres' distance: balls, or a ball and a corner.
-template <class T, class M>
-[[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode) {
+template <class T, class M, class From = from_now>
+[[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
     const radicand<surd_integer_for<M>> d(discriminant_lagrange{}(m));
-    return round_root<T>(coefficient_a{}(m), coefficient_h{}(m), d, unit, mode);
+    return round_root<T>(coefficient_a{}(m), coefficient_h{}(m), d, unit, mode, counted);
 }
 
 // Of an event of a wall.
-template <class T, int N, class M>
-[[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode) {
+template <class T, int N, class M, class From = from_now>
+[[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode,
+                                          const From& counted = {}) {
     using Z = surd_integer_for<M>;
     if (kind == event_kind::face) {
-        return round_plane_time<T>(m, radicand<Z>(face_foot_d{}(m)), unit, mode);
+        return round_plane_time<T>(m, radicand<Z>(face_foot_d{}(m)), unit, mode, counted);
     }
     if constexpr (N == 3) {
         if (kind == event_kind::edge) {
             const auto view = seen_from(m, edge_view(index));
-            return round_root<T>(edge_a{}(view), edge_h{}(view), radicand<Z>(edge_discriminant{}(view)), unit, mode);
+            return round_root<T>(edge_a{}(view), edge_h{}(view), radicand<Z>(edge_discriminant{}(view)), unit, mode,
+                                 counted);
         }
     }
-    return round_approach_time<T>(corner_motion(seen_from(m, wall_view{index, false})), unit, mode);
+    return round_approach_time<T>(corner_motion(seen_from(m, wall_view{index, false})), unit, mode, counted);
+}
+
+// Of a pair of kind P.
+template <class T, int N, class P, class M, class From = from_now>
+[[nodiscard]] constexpr T round_pair_time(event_kind kind, int index, const M& m, int unit, rounding mode,
+                                          const From& counted = {}) {
+    using Z = surd_integer_for<M>;
+    if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
+        return round_wall_time<T, N>(kind, index, m, unit, mode, counted);
+    } else if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
+        return round_plane_time<T>(m, radicand<Z>(graze::squared_norm(m.n)), unit, mode, counted);
+    } else {
+        return round_approach_time<T>(m, unit, mode, counted);
+    }
 }
 
 // The time of an event, from its inputs.
@@ -69,16 +103,8 @@ template <class T, int N, class U>
     return with_pair<N>(e.kind, [&]<class P>(P) {
         const auto inputs = lift_row<P>(e.row);
         const int unit = inputs.length.exponent - inputs.velocity.exponent;
-        return with_exact_motion<P>(inputs, [&](const auto& m) {
-            using Z = surd_integer_for<decltype(m)>;
-            if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
-                return round_wall_time<T, N>(e.kind, e.index, m, unit, mode);
-            } else if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
-                return round_plane_time<T>(m, radicand<Z>(graze::squared_norm(m.n)), unit, mode);
-            } else {
-                return round_approach_time<T>(m, unit, mode);
-            }
-        });
+        return with_exact_motion<P>(
+            inputs, [&](const auto& m) { return round_pair_time<T, N, P>(e.kind, e.index, m, unit, mode); });
     });
 }
 

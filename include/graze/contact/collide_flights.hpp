@@ -1,0 +1,135 @@
+// When, where and how two flights, or a flight and a plane or a wall, meet and leave, every number correctly rounded.
+#pragma once
+
+#include <graze/contact/collide_balls.hpp>
+#include <graze/contact/collide_walls.hpp>
+#include <graze/predicate/time_of_flights.hpp>
+
+namespace graze {
+
+namespace detail {
+
+// Rounds the wanted components of the contact of two flights that meet, by integers.
+template <int N, class T>
+[[gnu::noinline]] constexpr void complete(contact<N, T>& c, parts wanted, encounter what, const flight<N, T>& a,
+                                          const flight<N, T>& b) {
+    const auto in = lift_flights(a, b);
+    lifted<2> mass;
+    const T masses[2] = {effective_mass<T>(a.state.mass, b.state.mass), effective_mass<T>(b.state.mass, a.state.mass)};
+    lift(mass, masses);
+    const scales units{in.pair.length.exponent, in.pair.velocity.exponent};
+    const auto round = [&]<class X, class U, class S>(const exact_flights<N, X, U, S>& pair, auto no_mass) {
+        using W = decltype(no_mass);
+        const auto motion = pair.motion();
+        const auto position_a = pair.position(pair.a);
+        const auto position_b = pair.position(pair.b);
+        if (what == encounter::overlap) {
+            const auto rounded = [&](const auto& x) {
+                using Z = surd_integer_for<decltype(motion)>;
+                return round_to<T>(x, Z(0), radicand<Z>(), Z(1), units.length);
+            };
+            fill(c.position_a, wanted, part::position_a, [&](int i) { return rounded(position_a[i]); });
+            fill(c.position_b, wanted, part::position_b, [&](int i) { return rounded(position_b[i]); });
+        }
+        using M = std::remove_cvref_t<decltype(motion)>;
+        const exact_balls<N, M, std::remove_cvref_t<decltype(position_a[0])>, U, W> e{motion,
+                                                                                      position_a,
+                                                                                      position_b,
+                                                                                      pair.a.state.velocity,
+                                                                                      pair.b.state.velocity,
+                                                                                      mass.template get<W>(0),
+                                                                                      mass.template get<W>(1)};
+        round_balls(c, wanted, what, e, units, from_earlier<S>{pair.start()});
+    };
+    if (is_narrow(in) && mass.width <= one_limb_width) {
+        round(flights_in<narrow_flights>(in), integer<one_limb_width>());
+    } else {
+        round(flights_in<wide_flights>(in), sparse_integer<full_width>());
+    }
+}
+
+// The contact of two flights of which it has been decided what becomes of them.
+template <int N, class T, class Observer>
+[[nodiscard]] constexpr std::optional<contact<N, T>> contact_of(encounter what, stage decided_by, const flight<N, T>& a,
+                                                                const flight<N, T>& b, Observer&& observer) {
+    check_masses(a.state.mass, b.state.mass, "flight a", "flight b");
+    if (!is_collision(what)) {
+        observer(decided_by);
+        return std::nullopt;
+    }
+    std::optional<contact<N, T>> c(std::in_place);
+    c->velocity_a = a.state.velocity;
+    c->velocity_b = b.state.velocity;
+    if (what == encounter::overlap) {
+        c->time = flight_event<N, T>{
+            event<N, T>(two_balls<N>{}, a.state, b.state, event_kind::balls, 0, true),
+            {a.since,
+             b.since}}.start();
+    }
+    complete(*c, all_parts, what, a, b);
+    observer(stage::exact);
+    return c;
+}
+
+// The clock of a flight's `since`.
+template <class T>
+struct clock_of_flight {
+    const T& since;
+
+    [[nodiscard]] bounded_word operator()(const bounded_word& time) const noexcept {
+        return time + bounded_word(static_cast<double>(since));
+    }
+    // Rounds the time, if it is wanted, and returns what is left.
+    template <class P, int N, class Shape>
+    [[nodiscard]] constexpr parts without_time(wall_contact<N, T>& c, parts wanted, const wall_encounter& found, P pair,
+                                               const ball<N, T>& b, const Shape& shape) const {
+        if (has_time(wanted)) {
+            const auto kind = std::is_same_v<P, ball_and_plane<N>> ? event_kind::plane : kind_of<N>(found.where);
+            const flight_event<N, T> e{event<N, T>(pair, b, shape, kind, found.index, false), {since, since}};
+            c.time = found.what == encounter::overlap ? e.start() : round_exactly<T>(e, rounding::nearest);
+        }
+        return wanted & ~parts{1};
+    }
+};
+
+} // namespace detail
+
+// The contact of two flights, every component correctly rounded, its time on the clock of `since`; empty for recede and
+// miss. Throws as classify does, and when a mass is not positive or both are infinite. The observer is told `exact` if
+// integers were needed for the decision or any component.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<contact<N, T>> collide(const flight<N, T>& a, const flight<N, T>& b,
+                                                             Observer&& observer = {}) {
+    if (!std::is_constant_evaluated()) {
+        if (const auto f = detail::filter_flights(a, b); f.certain) [[likely]] {
+            return detail::contact_of(f.what(), stage::filter, a, b, observer);
+        }
+    }
+    return detail::contact_of(detail::classify_exactly(a, b), stage::exact, a, b, observer);
+}
+
+// The contact of a flight and an infinite plane; empty when it recedes. The mass has no part in it.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const plane<N, T>& p,
+                                                                  Observer&& observer = {}) {
+    auto decided_by = stage::filter;
+    const encounter what = classify(f, p, [&](stage s) { decided_by = s; });
+    return detail::contact_of(detail::ball_and_plane<N>{}, {what, feature::face, 0}, decided_by, f.state, p, observer,
+                              detail::clock_of_flight<T>{f.since});
+}
+
+// The contact of a flight and a wall, at its face, an edge or a corner, whichever is met first.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const wall<N, T>& w,
+                                                                  Observer&& observer = {}) {
+    detail::check(f, "flight");
+    auto decided_by = stage::filter;
+    const wall_encounter found = detail::decide_wall(f.state, w, [&](stage s) { decided_by = s; });
+    return detail::contact_of(detail::ball_and_wall<N>{}, found, decided_by, f.state, w, observer,
+                              detail::clock_of_flight<T>{f.since});
+}
+
+} // namespace graze

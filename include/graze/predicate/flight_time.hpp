@@ -1,0 +1,97 @@
+// The exact time of a collision of flights, as a value.
+#pragma once
+
+#include <graze/predicate/flight_event.hpp>
+#include <graze/predicate/impact_time.hpp>
+
+namespace graze {
+
+namespace detail {
+
+// Two doubles between which a time lies, whose lower end may be unknown as well. At its start: on both.
+struct timed_enclosure {
+    double lower = -enclosure::unknown;
+    double upper = enclosure::unknown;
+
+    [[nodiscard]] constexpr bool is_point() const noexcept { return bits_of(lower) == bits_of(upper); }
+};
+
+// start + τ, τ in the enclosure given. A sum is off by at most u of itself in any rounding mode, and by what a mode
+// makes zero where it is subnormal, as it does with a start, a subnormal T.
+template <class T>
+[[nodiscard]] inline timed_enclosure counted_from(double start, const enclosure& e) noexcept {
+    constexpr double flushed = std::is_same_v<T, float> ? 0x1p-124 : 0x1p-1020;
+    const double low = start + e.lower;
+    const double high = start + e.upper;
+    const double lower = low - (0x1p-51 * std::fabs(low) + flushed);
+    const double upper = high + (0x1p-51 * std::fabs(high) + flushed);
+    return {lower, e.upper < enclosure::unknown && upper < enclosure::unknown ? upper : enclosure::unknown};
+}
+
+} // namespace detail
+
+// The first time at which two flights, or a flight and a plane or a wall, touch: on the clock of `since`, not before
+// the later one's. A regular type but for a default value, as impact_time is, and made by time_of_impact only: two are
+// equal exactly when their times are, whatever met whatever and since when. Comparisons look at an enclosure in doubles
+// first and at the inputs, which the value keeps, only when the enclosures overlap; they never round, throw or
+// allocate. 168 bytes for N = 3 and doubles, 112 for N = 2.
+template <int N, class T = double>
+class flight_time {
+  public:
+    [[nodiscard]] friend constexpr std::strong_ordering operator<=>(const flight_time& x, const flight_time& y) {
+        return x.compare(y) <=> 0;
+    }
+    [[nodiscard]] friend constexpr bool operator==(const flight_time& x, const flight_time& y) {
+        return x.compare(y) == 0;
+    }
+
+    // Against a time in any of these types, exactly: neither side is rounded. Unordered with NaN.
+    template <detail::time_number U>
+    [[nodiscard]] friend constexpr std::partial_ordering operator<=>(const flight_time& x, const U& time) {
+        return detail::compare_with_number(x.event_, x.bounds_, time);
+    }
+    template <detail::time_number U>
+    [[nodiscard]] friend constexpr bool operator==(const flight_time& x, const U& time) {
+        return detail::compare_with_number(x.event_, x.bounds_, time) == 0;
+    }
+
+    // The sign of *this - y: -1, 0 or 1. The observer is told which stage decided.
+    template <class Observer = ignore_stage>
+    [[nodiscard]] constexpr int compare(const flight_time& y, Observer&& observer = {}) const {
+        if (bounds_.upper < y.bounds_.lower || bounds_.lower > y.bounds_.upper) {
+            observer(stage::filter);
+            return bounds_.upper < y.bounds_.lower ? -1 : 1;
+        }
+        if (bounds_.is_point() && y.bounds_.is_point() &&
+            detail::bits_of(bounds_.upper) == detail::bits_of(y.bounds_.upper)) { // both touch or overlap then
+            observer(stage::filter);
+            return 0;
+        }
+        observer(stage::exact);
+        return detail::compare_exactly(event_, y.event_);
+    }
+
+    // The nearest number, ties to even; beyond the largest one, an infinity.
+    [[nodiscard]] explicit constexpr operator T() const { return rounded(rounding::nearest); }
+    // The largest number that is not later, and the smallest that is not earlier.
+    [[nodiscard]] constexpr T lower() const { return rounded(rounding::downward); }
+    [[nodiscard]] constexpr T upper() const { return rounded(rounding::upward); }
+
+    // A double near the time, at no cost: for reports, not for decisions. In a constant expression 0.
+    [[nodiscard]] constexpr double about() const noexcept { return 0.5 * bounds_.lower + 0.5 * bounds_.upper; }
+
+    // For time_of_impact.
+    constexpr flight_time(detail::impact_time_key, const detail::timed_enclosure& bounds,
+                          const detail::flight_event<N, T>& event) noexcept
+        : event_(event), bounds_(bounds) {}
+
+  private:
+    [[nodiscard]] constexpr T rounded(rounding mode) const {
+        return bounds_.is_point() ? event_.start() : detail::round_exactly<T>(event_, mode);
+    }
+
+    detail::flight_event<N, T> event_;
+    detail::timed_enclosure bounds_;
+};
+
+} // namespace graze

@@ -1,0 +1,116 @@
+// When two flights, or a flight and a plane or a wall, meet first, if they do.
+#pragma once
+
+#include <graze/predicate/classify_flights.hpp>
+#include <graze/predicate/flight_time.hpp>
+
+#include <optional>
+
+namespace graze {
+
+namespace detail {
+
+// The time of an event with the enclosure that its exact quadratic gives.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr flight_time<N, T> enclosed_exactly(flight_event<N, T> e) {
+    constexpr impact_time_key key{};
+    if (std::is_constant_evaluated()) {
+        return flight_time<N, T>(key, timed_enclosure{}, e);
+    }
+    const auto start = static_cast<double>(e.start());
+    if (!e.pair.overlap) {
+        const enclosure bounds = with_timed_inputs(e, [&]<class In, class P>(In in, P) {
+            const int unit = in.unit();
+            in.settle(unit);
+            return with_timed_motion<N, P>(in, [&](const auto& m, const auto&) {
+                return with_quadratic<N, P>(e.pair.kind, e.pair.index, m,
+                                            [&](const auto& q) { return enclose(q, unit); });
+            });
+        });
+        e.pair.overlap = bits_of(bounds.upper) == 0; // they touch
+        if (!e.pair.overlap) {
+            return flight_time<N, T>(key, counted_from<T>(start, bounds), e);
+        }
+    }
+    return flight_time<N, T>(key, timed_enclosure{start, start}, e);
+}
+
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr std::optional<flight_time<N, T>> time_of_impact_exactly(const flight<N, T>& a,
+                                                                                               const flight<N, T>& b) {
+    const encounter what = classify_exactly(a, b);
+    if (!is_collision(what)) {
+        return std::nullopt;
+    }
+    return enclosed_exactly(flight_event<N, T>{
+        event<N, T>(two_balls<N>{}, a.state, b.state, event_kind::balls, 0, what == encounter::overlap),
+        {a.since, b.since}});
+}
+
+} // namespace detail
+
+// The exact time, not before both are on their way, at which two flights touch first; empty for recede and miss, t0 for
+// an overlap. Throws as classify does. Laws 1 to 8.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<flight_time<N, T>>
+time_of_impact(const flight<N, T>& a, const flight<N, T>& b, Observer&& observer = {}) {
+    if (!std::is_constant_evaluated()) {
+        if (const auto f = detail::filter_flights(a, b); f.certain) [[likely]] {
+            observer(stage::filter);
+            const encounter what = f.what();
+            if (!is_collision(what)) {
+                return std::nullopt;
+            }
+            // √D <= |h| <= √2 length·velocity, with the length of the filter.
+            using constant = detail::flight_filter<N, T>;
+            const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
+                                                (constant::discriminant + 1.5 * constant::h) * f.scale);
+            if (what != encounter::overlap && bounds.upper < detail::enclosure::unknown) [[likely]] {
+                const detail::flight_event<N, T> e{
+                    detail::event<N, T>(detail::two_balls<N>{}, a.state, b.state, detail::event_kind::balls, 0, false),
+                    {a.since, b.since}};
+                const auto start = static_cast<double>(detail::as_stored(a.since < b.since ? b.since : a.since));
+                return std::optional<flight_time<N, T>>(std::in_place, detail::impact_time_key{},
+                                                        detail::counted_from<T>(start, bounds), e);
+            }
+            return detail::time_of_impact_exactly(a, b);
+        }
+    }
+    auto time = detail::time_of_impact_exactly(a, b);
+    observer(stage::exact);
+    return time;
+}
+
+// The exact time at which a flight touches a plane first; empty when it recedes.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<flight_time<N, T>> time_of_impact(const flight<N, T>& f, const plane<N, T>& p,
+                                                                        Observer&& observer = {}) {
+    const encounter what = classify(f, p, observer);
+    if (!is_collision(what)) {
+        return std::nullopt;
+    }
+    return detail::enclosed_exactly(
+        detail::flight_event<N, T>{detail::event<N, T>(detail::ball_and_plane<N>{}, f.state, p,
+                                                       detail::event_kind::plane, 0, what == encounter::overlap),
+                                   {f.since, f.since}});
+}
+
+// The exact time at which a flight touches a wall's face, edge or corner first; empty for recede and miss.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<flight_time<N, T>> time_of_impact(const flight<N, T>& f, const wall<N, T>& w,
+                                                                        Observer&& observer = {}) {
+    detail::check(f, "flight");
+    const wall_encounter found = detail::decide_wall(f.state, w, observer);
+    if (!is_collision(found.what)) {
+        return std::nullopt;
+    }
+    return detail::enclosed_exactly(detail::flight_event<N, T>{
+        detail::event<N, T>(detail::ball_and_wall<N>{}, f.state, w, detail::kind_of<N>(found.where), found.index,
+                            found.what == encounter::overlap),
+        {f.since, f.since}});
+}
+
+} // namespace graze
