@@ -56,8 +56,10 @@ template <class Part>
 [[nodiscard]] std::vector<int> canonical_order(std::span<const Part> parts) {
     std::vector<int> order(parts.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
-        return precedes(parts[static_cast<std::size_t>(i)], parts[static_cast<std::size_t>(j)]);
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+        const Part& x = parts[static_cast<std::size_t>(i)];
+        const Part& y = parts[static_cast<std::size_t>(j)];
+        return precedes(x, y) || (!precedes(y, x) && i < j);
     });
     return order;
 }

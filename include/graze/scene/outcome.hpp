@@ -18,6 +18,10 @@ struct run_limits {
     std::uint64_t cascade = 0;
 };
 
+// Whether balls are offered to their neighbours in a grid of cells, where there are enough of them, or to everyone. A
+// sequence of events does not depend on it. [cell_grid.hpp]
+enum class cells { where_useful, none };
+
 // time: every event up to the time asked for has been done. events: so many have been. exhausted: nothing more will
 // ever happen, so that a later time or a larger number of events cannot be reached by an event. stopped: the observer
 // said so. cascade: events follow each other without end while time stands still.

@@ -1,8 +1,7 @@
 // A scene's events one after the other: predict, take the earliest, let those who take part bounce, predict again.
 #pragma once
 
-#include <graze/scene/event_heap.hpp>
-#include <graze/scene/moving_scene.hpp>
+#include <graze/scene/forecast.hpp>
 #include <graze/scene/outcome.hpp>
 
 #include <sstream>
@@ -32,12 +31,12 @@ class run {
     using time = typename M::time;
 
     // Copies the scene. Throws as check does.
-    explicit run(const scene<dimension, number>& s, M m = M()) : scene_(s, std::move(m)) {
-        place_.resize(scene_.balls());
-        for (body a = 0; a < scene_.balls(); ++a) {
-            place_[static_cast<std::size_t>(scene_.name(a))] = a;
+    explicit run(const scene<dimension, number>& s, M m = M(), cells use = cells::where_useful)
+        : forecast_(detail::moving_scene<M>(s, std::move(m)), use == cells::where_useful), place_(s.balls.size()) {
+        for (body a = 0; a < scene().balls(); ++a) {
+            place_[static_cast<std::size_t>(scene().name(a))] = a;
         }
-        predict_all();
+        forecast_.predict_all(now_);
     }
 
     // Goes on as far as the limits say. The observer is called with a run_event after each event; if it returns
@@ -47,22 +46,22 @@ class run {
     outcome advance(const run_limits<number>& limits, Observer&& observer = {}) {
         outcome done{ending::events};
         const std::uint64_t patience =
-            limits.cascade != 0 ? limits.cascade : 1000 + 100 * std::uint64_t{scene_.balls()};
+            limits.cascade != 0 ? limits.cascade : 1000 + 100 * std::uint64_t{scene().balls()};
         while (done.events < limits.events) {
-            if (next_ == due_.size() && !gather()) {
+            if (next_ == due_.size() && !take_earliest()) {
                 done.why = ending::exhausted;
                 return done;
             }
-            const due& d = due_[next_];
-            if (scene_.is_stale(d.what)) { // an event of the same time has changed one of the two
+            const detail::due<time>& d = due_[next_];
+            if (scene().is_stale(d.what)) { // an event of the same time has changed one of the two
                 ++next_;
                 continue;
             }
-            if (limits.time && scene_.rules().order(d.when, *limits.time) > 0) {
+            if (limits.time && scene().rules().order(d.when, *limits.time) > 0) {
                 done.why = ending::time;
                 return done;
             }
-            if (const time_bounds bounds = scene_.rules().bounds(d.when); bounds.lower > still_until_) {
+            if (const time_bounds bounds = scene().rules().bounds(d.when); bounds.lower > still_until_) {
                 still_until_ = bounds.upper;
                 still_ = 0;
             } else if (still_ >= patience) {
@@ -82,197 +81,80 @@ class run {
 
     // The ball of that index of the scene, in flight since its last event.
     [[nodiscard]] const state& in_flight(int index) const noexcept {
-        return scene_[place_[static_cast<std::size_t>(index)]].state;
+        return scene()[place_[static_cast<std::size_t>(index)]].state;
     }
-    [[nodiscard]] int balls() const noexcept { return static_cast<int>(scene_.balls()); }
-    [[nodiscard]] const M& rules() const noexcept { return scene_.rules(); }
+    [[nodiscard]] int balls() const noexcept { return static_cast<int>(scene().balls()); }
+    [[nodiscard]] const M& rules() const noexcept { return scene().rules(); }
 
     // Gives every ball another state, f(index, state), as when velocities are turned round, and predicts anew. None of
     // them may be earlier than the last event. What f throws leaves the run as it was.
     template <class F>
     void restate(F f) {
         std::vector<state> states;
-        states.reserve(scene_.balls());
-        for (body a = 0; a < scene_.balls(); ++a) {
-            states.push_back(f(scene_.name(a), std::as_const(scene_)[a].state));
+        states.reserve(scene().balls());
+        for (body a = 0; a < scene().balls(); ++a) {
+            states.push_back(f(scene().name(a), scene()[a].state));
         }
         run changed(*this);
-        for (body a = 0; a < scene_.balls(); ++a) {
-            changed.scene_[a].state = std::move(states[a]);
-            changed.scene_[a].last = detail::no_body;
+        for (body a = 0; a < scene().balls(); ++a) {
+            changed.forecast_.scene()[a].state = std::move(states[a]);
+            changed.forecast_.scene()[a].last = detail::no_body;
         }
-        changed.predict_all();
+        changed.due_.clear();
+        changed.next_ = 0;
+        changed.forecast_.predict_all(now_);
         *this = std::move(changed);
     }
 
   private:
     using body = detail::body;
-    using foreseen = detail::foreseen;
 
-    // An event that is next, with its exact time.
-    struct due {
-        foreseen what;
-        time when;
-        bool chosen = false;
-    };
+    [[nodiscard]] const detail::moving_scene<M>& scene() const noexcept { return forecast_.scene(); }
 
-    // What a and b will do, if anything, goes into found_.
-    void offer(body a, body b) {
-        if (b < a) {
-            std::swap(a, b);
-        }
-        if (scene_.have_just_met(a, b)) {
-            return;
-        }
-        if (const std::optional<time> when = scene_.meet(a, b)) {
-            const time_bounds bounds = scene_.rules().bounds(*when);
-            if (bounds.lower <= std::numeric_limits<double>::max()) { // else never, or not a number
-                const std::uint32_t count_b = b < scene_.balls() ? scene_[b].count : 0;
-                found_.push_back({bounds.lower, bounds.upper, a, b, scene_[a].count, count_b});
-            }
-        }
-    }
-    void offer_all(body a) {
-        for (body b = 0; b < scene_.bodies(); ++b) {
-            if (b != a) {
-                offer(a, b);
-            }
-        }
-    }
-    void predict_all() {
-        heap_.clear();
-        due_.clear();
+    bool take_earliest() {
         next_ = 0;
-        found_.clear();
-        for (body a = 0; a < scene_.balls(); ++a) {
-            for (body b = a + 1; b < scene_.bodies(); ++b) {
-                offer(a, b);
-            }
-        }
-        heap_.make_room(found_.size());
-        keep_found();
-    }
-    void keep_found() noexcept {
-        for (const foreseen& f : found_) {
-            heap_.push(f);
-        }
-    }
-
-    // Fills due_ with all events of exactly the earliest time, in canonical order. False if there is none.
-    bool gather() {
-        due_.clear();
-        next_ = 0;
-        nearest_.clear();
-        double limit = std::numeric_limits<double>::infinity();
-        while (!heap_.empty() && heap_.top().lower <= limit) {
-            const foreseen f = heap_.top();
-            if (scene_.is_stale(f)) {
-                heap_.pop();
-                continue;
-            }
-            nearest_.push_back(f);
-            heap_.pop();
-            limit = std::min(limit, f.upper);
-        }
-        try {
-            select();
-        } catch (...) {
-            due_.clear();
-            for (const foreseen& f : nearest_) { // there is room: they came from there
-                heap_.push(f);
-            }
-            throw;
-        }
-        return !due_.empty();
-    }
-
-    // Of nearest_, whose bounds do not tell the earliest, those that are go to due_, and the others back.
-    void select() {
-        const auto key = [](const foreseen& f) { return std::pair(f.a, f.b); };
-        std::sort(nearest_.begin(), nearest_.end(),
-                  [&](const foreseen& x, const foreseen& y) { return key(x) < key(y); });
-        nearest_.erase(std::unique(nearest_.begin(), nearest_.end(),
-                                   [&](const foreseen& x, const foreseen& y) { return key(x) == key(y); }),
-                       nearest_.end());
-        due_.reserve(nearest_.size());
-        for (const foreseen& f : nearest_) {
-            due d{f, *scene_.meet(f.a, f.b)};
-            const int order = due_.empty() ? 0 : order_of(d, due_.front());
-            if (order < 0) {
-                due_.clear();
-            }
-            if (order <= 0) {
-                due_.push_back(std::move(d));
-            }
-        }
-        for (const foreseen& f : nearest_) {
-            const bool is_due =
-                std::any_of(due_.begin(), due_.end(), [&](const due& d) { return key(d.what) == key(f); });
-            if (!is_due) {
-                heap_.push(f);
-            }
-        }
-        mark_choices();
-    }
-    [[nodiscard]] int order_of(const due& x, const due& y) const {
-        try {
-            return scene_.rules().order(x.when, y.when);
-        } catch (undecided& e) {
-            e.between(scene_.named(x.what.a, x.what.b), scene_.named(y.what.a, y.what.b));
-            throw;
-        }
-    }
-
-    // Marks those that share a ball, other than a mirror, with another one.
-    void mark_choices() {
-        for (due& x : due_) {
-            for (const due& y : due_) {
-                x.chosen = x.chosen || (&x != &y && (shares(x.what.a, y.what) || shares(x.what.b, y.what)));
-            }
-        }
-    }
-    [[nodiscard]] bool shares(body a, const foreseen& f) const noexcept {
-        return a < scene_.balls() && !scene_[a].immovable && (a == f.a || a == f.b);
+        return forecast_.take_earliest(due_);
     }
 
     // Does the event due_[next_].
     template <class Observer>
     bool perform(Observer& observer) {
-        const due& d = due_[next_];
+        const detail::due<time>& d = due_[next_];
         const body a = d.what.a;
         const body b = d.what.b;
-        const bool two = b < scene_.balls();
-        if (two && scene_[a].immovable && scene_[b].immovable) {
+        const bool two = b < scene().balls();
+        if (two && scene()[a].immovable && scene()[b].immovable) {
             refuse(d);
         }
-        auto before_a = scene_.remember(a);
-        auto before_b = scene_.remember(two ? b : a);
+        detail::moving_scene<M>& changing = forecast_.scene();
+        auto before_a = changing.remember(a);
+        auto before_b = changing.remember(two ? b : a);
         try {
-            scene_.bounce(a, b, d.when);
-            found_.clear();
-            if (!scene_[a].immovable) {
-                offer_all(a);
+            changing.bounce(a, b, d.when);
+            forecast_.forget();
+            if (!changing[a].immovable) {
+                forecast_.foresee(a);
             }
-            if (two && !scene_[b].immovable) {
-                offer_all(b);
+            if (two && !changing[b].immovable) {
+                forecast_.foresee(b);
             }
-            heap_.make_room(found_.size());
         } catch (...) {
-            scene_.restore(a, before_a);
+            changing.restore(a, before_a);
             if (two) {
-                scene_.restore(b, before_b);
+                changing.restore(b, before_b);
             }
             throw;
         }
-        keep_found();
+        forecast_.accept();
+        now_ = scene().rules().bounds(d.when).lower;
         ++next_;
         ++still_;
-        const run_event<M> told{scene_.named(a, b),
+        const run_event<M> told{scene().named(a, b),
                                 d.when,
                                 before_a.ball.state,
-                                scene_[a].state,
+                                scene()[a].state,
                                 two ? &before_b.ball.state : nullptr,
-                                two ? &scene_[b].state : nullptr,
+                                two ? &scene()[b].state : nullptr,
                                 d.chosen};
         if constexpr (std::is_void_v<decltype(observer(told))>) {
             observer(told);
@@ -281,19 +163,18 @@ class run {
             return static_cast<bool>(observer(told));
         }
     }
-    [[noreturn]] void refuse(const due& d) const {
+    [[noreturn]] void refuse(const detail::due<time>& d) const {
         std::ostringstream message;
-        message << to_string(scene_.named(d.what.a, d.what.b))
-                << ": both masses are infinite, and they meet at about t = " << scene_.rules().bounds(d.when).lower;
+        message << to_string(scene().named(d.what.a, d.what.b))
+                << ": both masses are infinite, and they meet at about t = " << scene().rules().bounds(d.when).lower;
         throw std::domain_error(message.str());
     }
 
-    detail::moving_scene<M> scene_;
-    std::vector<body> place_; // by the scene's index
-    detail::event_heap heap_;
-    std::vector<foreseen> found_, nearest_; // here so that an event allocates nothing
-    std::vector<due> due_;
-    std::size_t next_ = 0; // of due_
+    detail::forecast<M> forecast_;
+    std::vector<body> place_;            // of a ball, by the scene's index
+    std::vector<detail::due<time>> due_; // events of one time
+    std::size_t next_ = 0;               // of due_
+    double now_ = 0;                     // not after any event to come
     double still_until_ = -std::numeric_limits<double>::infinity();
     std::uint64_t still_ = 0; // events since time last went on for certain
 };

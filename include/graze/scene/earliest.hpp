@@ -1,0 +1,83 @@
+// Of what a run has foreseen, that which is exactly the earliest.
+#pragma once
+
+#include <graze/scene/event_heap.hpp>
+#include <graze/scene/moving_scene.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace graze::detail {
+
+// An event that is next, with its exact time. chosen: it shares a ball with another event of exactly that time.
+template <class Time>
+struct due {
+    foreseen what;
+    Time when;
+    bool chosen = false;
+};
+
+[[nodiscard]] constexpr bool is_of_same_bodies(const foreseen& x, const foreseen& y) noexcept {
+    return x.a == y.a && x.b == y.b;
+}
+
+// Sorts what may be the earliest by bodies, which is the canonical order, and drops what was foreseen twice.
+inline void put_in_order(std::vector<foreseen>& nearest) {
+    std::sort(nearest.begin(), nearest.end(),
+              [](const foreseen& x, const foreseen& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+    nearest.erase(std::unique(nearest.begin(), nearest.end(), is_of_same_bodies), nearest.end());
+}
+
+// Those of them that are the earliest, in the same order. Allocates only where there are more than ever before.
+template <mechanics M>
+void select_earliest(const moving_scene<M>& scene, const std::vector<foreseen>& nearest,
+                     std::vector<due<typename M::time>>& earliest) {
+    earliest.clear();
+    for (const foreseen& f : nearest) {
+        due<typename M::time> d{f, *scene.meet(f.a, f.b)};
+        int order = 0;
+        if (!earliest.empty()) {
+            const foreseen& first = earliest.front().what;
+            try {
+                order = scene.rules().order(d.when, earliest.front().when);
+            } catch (undecided& e) {
+                e.between(scene.named(f.a, f.b), scene.named(first.a, first.b));
+                throw;
+            }
+        }
+        if (order < 0) {
+            earliest.clear();
+        }
+        if (order <= 0) {
+            earliest.push_back(std::move(d));
+        }
+    }
+}
+
+// Marks the events that share a ball, other than a mirror, with another one. sharers: room to work in.
+template <mechanics M>
+void mark_choices(const moving_scene<M>& scene, std::vector<due<typename M::time>>& events,
+                  std::vector<body>& sharers) {
+    if (events.size() < 2) {
+        return;
+    }
+    sharers.clear();
+    for (const auto& d : events) {
+        for (const body a : {d.what.a, d.what.b}) {
+            if (a < scene.balls() && !scene[a].immovable) {
+                sharers.push_back(a);
+            }
+        }
+    }
+    std::sort(sharers.begin(), sharers.end());
+    const auto is_shared = [&](body a) {
+        const auto [first, last] = std::equal_range(sharers.begin(), sharers.end(), a);
+        return last - first > 1;
+    };
+    for (auto& d : events) {
+        d.chosen = is_shared(d.what.a) || is_shared(d.what.b);
+    }
+}
+
+} // namespace graze::detail
