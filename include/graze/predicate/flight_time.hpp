@@ -80,6 +80,9 @@ class flight_time {
     // A double near the time, at no cost: for reports, not for decisions. In a constant expression 0.
     [[nodiscard]] constexpr double about() const noexcept { return 0.5 * bounds_.lower + 0.5 * bounds_.upper; }
 
+    // Two doubles between which it lies, at no cost. In a constant expression they tell nothing.
+    [[nodiscard]] constexpr const detail::timed_enclosure& enclosure() const noexcept { return bounds_; }
+
     // For time_of_impact.
     constexpr flight_time(detail::impact_time_key, const detail::timed_enclosure& bounds,
                           const detail::flight_event<N, T>& event) noexcept

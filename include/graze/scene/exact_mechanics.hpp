@@ -1,0 +1,118 @@
+// A run in floats or doubles in which every decision is exact and every number correctly rounded.
+#pragma once
+
+#include <graze/contact/collide_flights.hpp>
+#include <graze/predicate/time_of_flights.hpp>
+#include <graze/scene/mechanics.hpp>
+
+#include <limits>
+
+namespace graze {
+
+// Who meets whom, and in which order, is exact for the states as they are; a state after an event is the exact one,
+// rounded once. Between two events of a ball nothing is rounded. Throws std::overflow_error when a state would be
+// beyond the largest T.
+template <int N, std::floating_point T = double>
+requires is_binary_input<T>
+struct exact_mechanics {
+    static constexpr int dimension = N;
+    using number = T;
+    using state = flight<N, T>;
+    using time = flight_time<N, T>;
+
+    [[nodiscard]] constexpr state start(const ball<N, T>& b) const { return {b, T(0)}; }
+
+    template <class S>
+    [[nodiscard]] constexpr std::optional<time> meet(const state& a, const S& other) const {
+        return time_of_impact(a, other);
+    }
+
+    [[nodiscard]] constexpr int order(const time& s, const time& t) const { return s.compare(t); }
+    [[nodiscard]] constexpr int order(const time& s, const T& t) const { return s < t ? -1 : s > t ? 1 : 0; }
+    // The enclosure that the time was made with; one that is too wide to be of use is rounded from the exact time.
+    [[nodiscard]] constexpr time_bounds bounds(const time& t) const {
+        const detail::timed_enclosure& near = t.enclosure();
+        if (near.upper - near.lower <= near.upper * 0x1p-40) {
+            return {near.lower, near.upper};
+        }
+        return {static_cast<double>(t.lower()), static_cast<double>(t.upper())};
+    }
+    // The time of two that touch then, by the way.
+    [[nodiscard]] constexpr time now(const state& a) const {
+        ball<N, T> approaching{};
+        approaching.position[0] = T(-1);
+        approaching.velocity[0] = T(1);
+        const detail::event<N, T> touch(detail::two_balls<N>{}, approaching, ball<N, T>{}, detail::event_kind::balls, 0,
+                                        true);
+        const detail::flight_event<N, T> then{touch, {a.since, a.since}};
+        const auto at = static_cast<double>(then.start());
+        return time(detail::impact_time_key{}, detail::timed_enclosure{at, at}, then);
+    }
+    [[nodiscard]] constexpr flight<N, double> about(const state& a) const {
+        const auto wide = [](const vec<N, T>& x) {
+            return make_vec<N>([&](int i) { return static_cast<double>(x[i]); });
+        };
+        return {{wide(a.state.position), wide(a.state.velocity), static_cast<double>(a.state.radius),
+                 static_cast<double>(a.state.mass)},
+                static_cast<double>(a.since)};
+    }
+
+    [[nodiscard]] constexpr bool immovable(const state& a) const { return detail::is_infinite_mass(a.state.mass); }
+    [[nodiscard]] constexpr bool is_point(const state& a) const {
+        return detail::order_of_magnitude(a.state.radius) == 0;
+    }
+
+    constexpr void bounce(state& a, state& b, const time&) const {
+        const contact<N, T> c = *collide(a, b);
+        leave(a, c.time, c.position_a, c.velocity_a);
+        leave(b, c.time, c.position_b, c.velocity_b);
+    }
+    template <class S>
+    constexpr void bounce(state& a, const S& standing, const time&) const {
+        const wall_contact<N, T> c = *collide(a, standing);
+        leave(a, c.time, c.position, c.velocity);
+    }
+
+    template <class S>
+    [[nodiscard]] constexpr int side(const state& a, const S& standing) const {
+        return sign_of(a, standing, plane_height{});
+    }
+    template <class S>
+    [[nodiscard]] constexpr int heading(const state& a, const S& standing) const {
+        return sign_of(a, standing, plane_speed{});
+    }
+    // As of a ball that cuts the face and goes deeper.
+    template <class S>
+    constexpr void turn_back(state& a, const S& standing) const {
+        using pair = typename decltype(detail::pair_of(a.state, standing))::kind;
+        constexpr wall_encounter inside{encounter::overlap, feature::face, 0};
+        const auto c = detail::contact_of(pair{}, inside, stage::exact, a.state, standing, ignore_stage{},
+                                          detail::clock_of_flight<T>{a.since});
+        leave(a, a.since, a.state.position, c->velocity);
+    }
+
+  private:
+    template <class S, class F>
+    [[nodiscard]] static constexpr int sign_of(const state& a, const S& standing, F f) {
+        return detail::with_certain_signs(a.state, standing, ignore_stage{}, [&](auto& signs) {
+            if constexpr (requires { standing.edge; }) {
+                return signs(wall_view{}, f);
+            } else {
+                return signs(f);
+            }
+        });
+    }
+    constexpr void leave(state& a, const T& since, const vec<N, T>& position, const vec<N, T>& velocity) const {
+        if (immovable(a)) {
+            return;
+        }
+        if (!detail::is_finite_input(since) || !detail::is_finite(position) || !detail::is_finite(velocity)) {
+            throw std::overflow_error("the state after the event is beyond the largest number");
+        }
+        a.since = since;
+        a.state.position = position;
+        a.state.velocity = velocity;
+    }
+};
+
+} // namespace graze
