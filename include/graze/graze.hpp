@@ -6,5 +6,5 @@
 #include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/predicate/classify_numbers.hpp>
-#include <graze/predicate/overlaps.hpp>
+#include <graze/predicate/overlaps_of_flights.hpp>
 #include <graze/predicate/time_of_impact.hpp>

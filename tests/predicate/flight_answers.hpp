@@ -1,0 +1,45 @@
+// All that the library says of flights, compiled once for all tests of them.
+#pragma once
+
+#include "../oracle/flight.hpp"
+
+#include <graze/contact/contact.hpp>
+#include <graze/predicate/flight_time.hpp>
+
+#include <compare>
+#include <optional>
+
+namespace flight_answers {
+
+template <int N, class T, class Contact>
+struct answer {
+    graze::encounter what{};
+    bool overlaps = false;
+    graze::stage decided_by = graze::stage::filter; // what
+    std::optional<graze::flight_time<N, T>> time;
+    std::optional<Contact> contact;
+    graze::stage given_by = graze::stage::filter; // contact
+};
+template <class B, int N, class T>
+using answer_of =
+    answer<N, T,
+           std::conditional_t<std::is_same_v<B, graze::flight<N, T>>, graze::contact<N, T>, graze::wall_contact<N, T>>>;
+
+template <int N, class T, class B>
+answer_of<B, N, T> of(const graze::flight<N, T>& a, const B& b);
+
+// The sign of the first less the second, 3 where operators contradict each other.
+template <int N, class T>
+int order_of(const graze::flight_time<N, T>& x, const graze::flight_time<N, T>& y, graze::stage& decided_by);
+template <int N, class T>
+int order_of(const graze::flight_time<N, T>& x, const T& y);
+
+// To nearest, downward and upward.
+template <class T>
+struct rounded_time {
+    T nearest, lower, upper;
+};
+template <int N, class T>
+rounded_time<T> rounded(const graze::flight_time<N, T>& x);
+
+} // namespace flight_answers
