@@ -39,6 +39,22 @@ inline double full(families::random& r, double size) {
     return size * std::ldexp(static_cast<double>(r.signed_bits(53)), -53);
 }
 
+// Past each other along an axis, at the distance at which they touch or near it.
+template <int N>
+pair<N> passing(families::random& r) {
+    pair<N> p{on_a_grid<N>(r), on_a_grid<N>(r)};
+    for (int i = 1; i < N; ++i) {
+        p.a.state.velocity[i] = p.b.state.velocity[i] = 0;
+        p.a.state.position[i] = p.b.state.position[i];
+    }
+    p.a.state.velocity[0] = 1.5;
+    p.a.state.position[0] = -20;
+    p.a.state.position[1] += p.a.state.radius + p.b.state.radius;
+    p.a.state.radius += r.one_in(3) ? std::fabs(small(r, 1, 50)) : 0;
+    p.b.state.mass = 1;
+    return p;
+}
+
 // Full doubles; the later one starts `spread` after the other, both at about `epoch`.
 template <int N>
 graze::flight<N> generic(families::random& r, double epoch, double spread) {
@@ -79,6 +95,10 @@ pair<N> draw(unsigned which, std::uint64_t seed, std::uint64_t index) {
     families::random r(seed, index);
     switch (which % 6) {
     case 0:
+        if (r.one_in(3)) {
+            return passing<N>(r);
+        }
+        [[fallthrough]];
     case 1:
         for (;;) { // two infinite masses are refused; most others are to come closer
             const auto a = on_a_grid<N>(r);
