@@ -2,8 +2,9 @@
 #pragma once
 
 #include <graze/number/integer.hpp>
+#include <graze/number/sparse_digits.hpp>
 
-#include <algorithm>
+#include <cstdint>
 #include <type_traits>
 
 namespace graze {
@@ -26,9 +27,7 @@ class sparse_integer {
 
     template <int B>
     requires(B < Bits) constexpr sparse_integer(const sparse_integer<B>& x) noexcept : sparse_integer() {
-        for (int i = 0; i < x.count(); ++i) {
-            append(x.position(i), x.digit(i));
-        }
+        count_ = detail::copy_digits(x.digits(), output());
     }
 
     // significand · 2^shift, of which the caller knows that it fits; 0 <= shift.
@@ -59,7 +58,31 @@ class sparse_integer {
 
     [[nodiscard]] constexpr sparse_integer operator-() const noexcept;
 
+    [[nodiscard]] constexpr detail::sparse_digits digits() const noexcept { return {count_, position_, digit_}; }
+
+    // x + factor·y, and what fill(accumulator) adds up, of which the caller knows that it fits; for the arithmetic
+    // below.
+    [[nodiscard]] static constexpr sparse_integer sum_of(const detail::sparse_digits& x, const detail::sparse_digits& y,
+                                                         int factor) noexcept {
+        sparse_integer r;
+        r.count_ = detail::add_digits(x, y, factor, r.output());
+        return r;
+    }
+    template <class Fill>
+    [[nodiscard]] static constexpr sparse_integer sum_of_products(Fill fill) noexcept {
+        constexpr int words = (capacity + 2) / 64 + 1;
+        std::uint64_t touched[words] = {};
+        std::int64_t sum[capacity + 2];
+        detail::digit_accumulator accumulator(touched, sum);
+        fill(accumulator);
+        sparse_integer r;
+        r.count_ = accumulator.write(words, r.output());
+        return r;
+    }
+
   private:
+    [[nodiscard]] constexpr detail::sparse_output output() noexcept { return {0, position_, digit_}; }
+
     // In a constant expression what is copied has a value.
     constexpr void settle() noexcept {
         if (std::is_constant_evaluated()) {
@@ -75,122 +98,24 @@ class sparse_integer {
     std::int64_t digit_[capacity];
 };
 
-namespace detail {
-
-// x + factor·y for factor 1 or -1, digit by digit from the lowest.
-template <class R, int A, int B>
-[[nodiscard]] constexpr R sparse_sum(const sparse_integer<A>& x, const sparse_integer<B>& y, int factor) noexcept {
-    R r;
-    int i = 0;
-    int j = 0;
-    std::int64_t carry = 0;
-    int carry_position = 0;
-    while (i < x.count() || j < y.count() || carry != 0) {
-        int p = carry != 0 ? carry_position : 0x7fff;
-        p = i < x.count() ? std::min(p, x.position(i)) : p;
-        p = j < y.count() ? std::min(p, y.position(j)) : p;
-        const std::int64_t from_x = i < x.count() && x.position(i) == p ? x.digit(i++) : 0;
-        const std::int64_t from_y = j < y.count() && y.position(j) == p ? y.digit(j++) : 0;
-        const std::int64_t carried = carry != 0 && carry_position == p ? carry : 0;
-        const auto t = multiply_add_balanced(from_y, factor, from_x, carried);
-        r.append(p, t.low);
-        carry = t.high;
-        carry_position = p + 1;
-    }
-    return r;
-}
-
-} // namespace detail
-
 template <int Bits>
 constexpr sparse_integer<Bits> sparse_integer<Bits>::operator-() const noexcept {
-    return detail::sparse_sum<sparse_integer>(sparse_integer<1>(), *this, -1);
+    return sum_of({0, nullptr, nullptr}, digits(), -1);
 }
 
 template <int A, int B>
 [[nodiscard]] constexpr auto operator+(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
-    return detail::sparse_sum<sparse_integer<(A > B ? A : B) + 1>>(x, y, 1);
+    return sparse_integer<(A > B ? A : B) + 1>::sum_of(x.digits(), y.digits(), 1);
 }
 template <int A, int B>
 [[nodiscard]] constexpr auto operator-(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
-    return detail::sparse_sum<sparse_integer<(A > B ? A : B) + 1>>(x, y, -1);
+    return sparse_integer<(A > B ? A : B) + 1>::sum_of(x.digits(), y.digits(), -1);
 }
-
-namespace detail {
-
-// Digits summed up in place, with a mask of the positions that were touched.
-template <int Capacity>
-class digit_accumulator {
-  public:
-    constexpr digit_accumulator() noexcept : touched_{} {}
-
-    // Adds x·y, row by row.
-    template <int A, int B>
-    constexpr void add_product(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
-        for (int i = 0; i < x.count(); ++i) {
-            std::int64_t carry = 0;
-            int next = -1;
-            for (int j = 0; j < y.count(); ++j) {
-                const int p = x.position(i) + y.position(j);
-                if (p != next) {
-                    deposit(next, carry);
-                    carry = 0;
-                }
-                const auto t = multiply_add_balanced(x.digit(i), y.digit(j), at(p), carry);
-                sum_[p] = t.low;
-                carry = t.high;
-                next = p + 1;
-            }
-            deposit(next, carry);
-        }
-    }
-
-    template <class R>
-    [[nodiscard]] constexpr R result() const noexcept {
-        R r;
-        for (int word = 0; word < words; ++word) {
-            for (std::uint64_t rest = touched_[word]; rest != 0; rest &= rest - 1) {
-                const int p = 64 * word + std::countr_zero(rest);
-                r.append(p, sum_[p]);
-            }
-        }
-        return r;
-    }
-
-  private:
-    static constexpr int words = Capacity / 64 + 1;
-
-    // The digit at p, 0 when it is touched for the first time.
-    [[nodiscard]] constexpr std::int64_t at(int p) noexcept {
-        const std::uint64_t bit = std::uint64_t{1} << (p % 64);
-        std::uint64_t& word = touched_[p / 64];
-        if ((word & bit) == 0) {
-            word |= bit;
-            return 0;
-        }
-        return sum_[p];
-    }
-
-    constexpr void deposit(int p, std::int64_t carry) noexcept {
-        while (carry != 0) {
-            const auto t = multiply_add_balanced(0, 0, at(p), carry);
-            sum_[p++] = t.low;
-            carry = t.high;
-        }
-    }
-
-    std::uint64_t touched_[words];
-    std::int64_t sum_[Capacity];
-};
-
-} // namespace detail
 
 template <int A, int B>
 [[nodiscard]] constexpr auto operator*(const sparse_integer<A>& x, const sparse_integer<B>& y) noexcept {
-    using product = sparse_integer<A + B>;
-    detail::digit_accumulator<product::capacity + 2> sum;
-    sum.add_product(x, y);
-    return sum.template result<product>();
+    return sparse_integer<A + B>::sum_of_products(
+        [&](detail::digit_accumulator& sum) { sum.add_product(x.digits(), y.digits()); });
 }
 
 template <int Bits>
@@ -203,12 +128,11 @@ struct number_traits<sparse_integer<Bits>> {
     // The products of an inner product share one accumulator.
     template <int N, int B>
     static constexpr auto dot(const vec<N, sparse_integer<Bits>>& x, const vec<N, sparse_integer<B>>& y) noexcept {
-        using sum_type = sparse_integer<Bits + B + 2>;
-        detail::digit_accumulator<sum_type::capacity + 2> sum;
-        for (int i = 0; i < N; ++i) {
-            sum.add_product(x[i], y[i]);
-        }
-        return sum.template result<sum_type>();
+        return sparse_integer<Bits + B + 2>::sum_of_products([&](detail::digit_accumulator& sum) {
+            for (int i = 0; i < N; ++i) {
+                sum.add_product(x[i].digits(), y[i].digits());
+            }
+        });
     }
 };
 
