@@ -1,0 +1,89 @@
+// What a formula answers to a pair of things, for the precision suite to judge.
+#pragma once
+
+#include <graze/formula/wall_encounter.hpp>
+#include <graze/precision/number_access.hpp>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace graze::precision {
+
+// What the suite knows the exact value of. position: of the balls, or of a ball and of the point where it touches.
+// order: the sign of t1 - t2 of two pairs.
+enum class quantity {
+    coefficient_a,
+    coefficient_h,
+    coefficient_c,
+    discriminant,
+    encounter,
+    time,
+    position,
+    normal,
+    velocity,
+    order
+};
+
+inline constexpr quantity all_quantities[] = {quantity::coefficient_a, quantity::coefficient_h, quantity::coefficient_c,
+                                              quantity::discriminant,  quantity::encounter,     quantity::time,
+                                              quantity::position,      quantity::normal,        quantity::velocity,
+                                              quantity::order};
+
+[[nodiscard]] constexpr const char* to_string(quantity q) noexcept {
+    constexpr const char* names[] = {"coefficient_a", "coefficient_h", "coefficient_c", "discriminant", "encounter",
+                                     "time",          "position",      "normal",        "velocity",     "order"};
+    return names[static_cast<int>(q)];
+}
+
+// A number, or the components of a vector.
+struct value {
+    quantity of;
+    std::vector<reading> components;
+};
+
+// Put together by `and_`. what: how the pair meets; where and index: the feature of a wall.
+struct answer {
+    std::optional<encounter> what;
+    std::optional<feature> where;
+    int index = 0;
+    std::optional<int> order;
+    std::vector<value> values; // of one quantity in the order in which graze::solve names them
+
+    template <number T>
+    [[nodiscard]] answer and_(quantity of, const T& x) && {
+        values.push_back({of, {number_access<T>::read(x)}});
+        return std::move(*this);
+    }
+    template <int N, number T>
+    [[nodiscard]] answer and_(quantity of, const vec<N, T>& x) && {
+        value v{of, {}};
+        for (int i = 0; i < N; ++i) {
+            v.components.push_back(number_access<T>::read(x[i]));
+        }
+        values.push_back(std::move(v));
+        return std::move(*this);
+    }
+};
+
+// An answer of one number or vector.
+template <class X>
+[[nodiscard]] answer answered(quantity of, const X& x) {
+    return answer{}.and_(of, x);
+}
+
+// An answer that is a decision.
+[[nodiscard]] inline answer answered(encounter what) {
+    answer a;
+    a.what = what;
+    return a;
+}
+[[nodiscard]] inline answer answered(const wall_encounter& met) {
+    answer a;
+    a.what = met.what;
+    a.where = met.where;
+    a.index = met.index;
+    return a;
+}
+
+} // namespace graze::precision

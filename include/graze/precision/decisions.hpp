@@ -1,0 +1,62 @@
+// What graze promises to be right, as the precision suite measures it: no wrong decision and no misrounded number.
+#pragma once
+
+#include <graze/contact/collide_balls.hpp>
+#include <graze/precision/subject.hpp>
+#include <graze/predicate/classify_balls.hpp>
+#include <graze/predicate/classify_walls.hpp>
+
+namespace graze::precision {
+
+struct exact_decision_of_balls {
+    static constexpr const char* name = "classify";
+    static constexpr quantity measures = quantity::encounter;
+    static constexpr bool correctly_rounded = true;
+    template <int N, class T>
+    [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b) const {
+        return answered(classify(a, b));
+    }
+};
+
+struct exact_decision_of_walls {
+    static constexpr const char* name = "classify";
+    static constexpr quantity measures = quantity::encounter;
+    static constexpr bool correctly_rounded = true;
+    template <int N, class T>
+    [[nodiscard]] answer operator()(const ball<N, T>& b, const plane<N, T>& p) const {
+        return answered(classify(b, p));
+    }
+    template <int N, class T>
+    [[nodiscard]] answer operator()(const ball<N, T>& b, const wall<N, T>& w) const {
+        return answered(classify(b, w));
+    }
+};
+
+struct rounded_contact {
+    static constexpr const char* name = "collide";
+    static constexpr quantity measures = quantity::time;
+    static constexpr bool correctly_rounded = true;
+    template <int N, class T>
+    [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b) const {
+        const auto c = collide(a, b);
+        if (!c) {
+            return {};
+        }
+        return answered(quantity::time, c->time)
+            .and_(quantity::position, c->position_a)
+            .and_(quantity::position, c->position_b)
+            .and_(quantity::normal, c->normal)
+            .and_(quantity::velocity, c->velocity_a)
+            .and_(quantity::velocity, c->velocity_b);
+    }
+};
+
+// T is float or double.
+template <number T>
+void add_decisions(subjects& list) {
+    add<exact_decision_of_balls, T>(list);
+    add<exact_decision_of_walls, T>(list);
+    add<rounded_contact, T>(list);
+}
+
+} // namespace graze::precision

@@ -1,0 +1,146 @@
+// The formulas of graze as the precision suite measures them.
+#pragma once
+
+#include <graze/formula/root_order.hpp>
+#include <graze/formula/solve.hpp>
+#include <graze/number/floating.hpp>
+#include <graze/precision/subject.hpp>
+
+namespace graze::precision {
+
+// a, h and c of two balls.
+struct coefficients {
+    static constexpr const char* name = "quadratic";
+    static constexpr quantity measures = quantity::coefficient_h;
+    template <int N, number T>
+    [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b) const {
+        const quadratic<T, T, T> q = quadratic_of(relative_motion_of(a, b));
+        return answered(quantity::coefficient_a, q.a)
+            .and_(quantity::coefficient_h, q.h)
+            .and_(quantity::coefficient_c, q.c);
+    }
+};
+
+namespace detail {
+
+template <variant V>
+inline constexpr const char* name_of_variant = V == variant::textbook ? "textbook"
+                                               : V == variant::halved ? "halved"
+                                               : V == variant::kahan  ? "kahan"
+                                                                      : "lagrange";
+template <variant V, root_form F>
+inline constexpr const char* name_of_method = "";
+template <variant V>
+inline constexpr const char* name_of_method<V, root_form::stable> = V == variant::textbook ? "textbook.stable"
+                                                                    : V == variant::halved ? "halved.stable"
+                                                                    : V == variant::kahan  ? "kahan.stable"
+                                                                                           : "lagrange.stable";
+template <variant V>
+inline constexpr const char* name_of_method<V, root_form::printed> = V == variant::textbook ? "textbook.printed"
+                                                                     : V == variant::halved ? "halved.printed"
+                                                                     : V == variant::kahan  ? "kahan.printed"
+                                                                                            : "lagrange.printed";
+
+} // namespace detail
+
+// D of two balls in variant V.
+template <variant V>
+struct discriminant_in {
+    static constexpr const char* name = detail::name_of_variant<V>;
+    static constexpr quantity measures = quantity::discriminant;
+    template <int N, number T>
+    requires has_variant<V, T>
+    [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b) const {
+        const auto m = relative_motion_of(a, b);
+        const quadratic<T, T, T> q = quadratic_of(m);
+        return answered(quantity::discriminant,
+                        graze::detail::discriminant_by<V, T>(q, [&] { return T(discriminant_lagrange{}(m)); }));
+    }
+};
+
+// All that graze::solve says, in variant V and root form F.
+template <variant V, root_form F>
+struct solution_in {
+    static constexpr const char* name = detail::name_of_method<V, F>;
+    static constexpr quantity measures = quantity::encounter;
+    template <int N, number T>
+    requires has_variant<V, T>
+    [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b) const {
+        const auto s = solve_with_inverse_masses<V, F, T, N>(a, b, inverse(a.mass), inverse(b.mass));
+        if (!is_collision(s.what)) {
+            return answered(s.what);
+        }
+        return answered(s.what)
+            .and_(quantity::time, s.time)
+            .and_(quantity::position, s.position_a)
+            .and_(quantity::position, s.position_b)
+            .and_(quantity::normal, s.normal)
+            .and_(quantity::velocity, s.velocity_a)
+            .and_(quantity::velocity, s.velocity_b);
+    }
+    template <int N, number T>
+    [[nodiscard]] answer operator()(const ball<N, T>& b, const plane<N, T>& p) const {
+        return of_wall<N, T>(solve<V, F>(b, p));
+    }
+    template <int N, number T>
+    requires has_variant<V, T>
+    [[nodiscard]] answer operator()(const ball<N, T>& b, const wall<N, T>& w) const {
+        return of_wall<N, T>(solve<V, F>(b, w));
+    }
+
+  private:
+    // An infinite mass is an infinity, whose inverse is 0 under flags that promise finite numbers as well.
+    template <class T>
+    [[nodiscard]] static T inverse(const T& mass) {
+        return detail::exponent_field(static_cast<double>(mass)) == 0x7ff ? T(0) : T(T(1) / mass);
+    }
+    template <int N, class T>
+    [[nodiscard]] static answer of_wall(const wall_solution<N, T>& s) {
+        const wall_encounter met{s.what, s.where, s.index};
+        if (!is_collision(s.what)) {
+            return answered(met);
+        }
+        return answered(met)
+            .and_(quantity::time, s.time)
+            .and_(quantity::position, s.position)
+            .and_(quantity::position, s.point)
+            .and_(quantity::normal, s.normal)
+            .and_(quantity::velocity, s.velocity);
+    }
+};
+
+// The order of two pairs' times from their quadratics.
+struct order_of_roots {
+    static constexpr const char* name = "root_order";
+    static constexpr quantity measures = quantity::order;
+    template <int N, number T>
+    [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b, const ball<N, T>& c,
+                                    const ball<N, T>& d) const {
+        answer found;
+        found.order = root_order{}(quadratic<T, T, T>(quadratic_of(relative_motion_of(a, b))),
+                                   quadratic<T, T, T>(quadratic_of(relative_motion_of(c, d))));
+        return found;
+    }
+};
+
+// Every formula that T can run.
+template <number T>
+requires field_number<T> && has_sqrt<T>
+void add_formulas(subjects& list) {
+    add<coefficients, T>(list);
+    add<discriminant_in<variant::textbook>, T>(list);
+    add<discriminant_in<variant::halved>, T>(list);
+    add<discriminant_in<variant::lagrange>, T>(list);
+    add<solution_in<variant::textbook, root_form::printed>, T>(list);
+    add<solution_in<variant::halved, root_form::printed>, T>(list);
+    add<solution_in<variant::halved, root_form::stable>, T>(list);
+    add<solution_in<variant::lagrange, root_form::printed>, T>(list);
+    add<solution_in<variant::lagrange, root_form::stable>, T>(list);
+    if constexpr (has_fma<T>) {
+        add<discriminant_in<variant::kahan>, T>(list);
+        add<solution_in<variant::kahan, root_form::stable>, T>(list);
+    }
+    add<order_of_roots, T>(list);
+}
+
+} // namespace graze::precision

@@ -1,0 +1,116 @@
+// How the precision suite gets numbers into a type and out of it again, without an error of its own.
+#pragma once
+
+#include <graze/number/traits.hpp>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace graze::precision {
+
+// A number told in doubles: the sum of the parts, times 2^exponent, exactly. There is at least one part; one that is
+// not finite says that the number is none.
+struct reading {
+    std::vector<double> parts;
+    int exponent = 0;
+};
+
+namespace detail {
+
+inline constexpr std::size_t most_parts = 32;
+
+// Of the double nearest to a number: no further operation on it depends on flags that promise finite numbers.
+[[nodiscard]] constexpr int exponent_field(double x) {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52U & 0x7ffU);
+}
+
+} // namespace detail
+
+// Specialise for a number type to which double does not convert as described, or that is not a sum of a few doubles.
+//   from   the value of T that the formulas start from; the suite asks for the truth about that value, not about x
+//   read   the value of a result, exactly
+template <number T>
+struct number_access {
+    [[nodiscard]] static T from(double x) { return static_cast<T>(x); }
+
+    // The leading double, then that of what remains. Beyond the range of double powers of two are taken out first.
+    [[nodiscard]] static reading read(T x) {
+        reading r;
+        if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>) {
+            r.parts.push_back(static_cast<double>(x));
+            return r;
+        } else {
+            constexpr int step = 512, low = 1023 - 400, high = 1023 + 900, steps = 64;
+            for (int i = 0; i < steps && graze::sign(x) != 0 && digits_exceed_double(); ++i) {
+                const int field = detail::exponent_field(nearest(x));
+                if (field >= low && field <= high) {
+                    break;
+                }
+                const bool is_large = field > high;
+                x = x * from(is_large ? 0x1p-512 : 0x1p512);
+                r.exponent += is_large ? step : -step;
+            }
+            do {
+                const double part = nearest(x);
+                r.parts.push_back(part);
+                if (detail::exponent_field(part) == 0x7ff) {
+                    break;
+                }
+                x = x - from(part);
+            } while (graze::sign(x) != 0 && r.parts.size() < detail::most_parts);
+            return r;
+        }
+    }
+
+  private:
+    // Whether the range may exceed double's as well: types without a number of digits, such as fixed point, have
+    // theirs.
+    static constexpr bool digits_exceed_double() { return number_traits<T>::digits > 53; }
+
+    // Through memory, so that no flag lets a compiler take the conversion and its inverse for the identity.
+    [[nodiscard]] static double nearest(const T& x) {
+        const volatile double y = static_cast<double>(x);
+        return y;
+    }
+};
+
+// What the suite has to know of a type. digits: of the significand, in whose units of the last place errors are told.
+// lowest: the exponent of the smallest positive number, where there is one.
+struct number_type {
+    std::string name;
+    int digits = 53;
+    int lowest = std::numeric_limits<int>::min();
+    double (*held)(double) = nullptr; // x as the type holds it
+};
+
+// The name without spaces; that of long double with its digits, which differ between platforms. A type without a number
+// of digits is told in those of double.
+template <number T>
+[[nodiscard]] number_type describe() {
+    using traits = number_traits<T>;
+    using limits = std::numeric_limits<T>;
+    number_type type;
+    type.name = traits::name;
+    for (char& letter : type.name) {
+        letter = letter == ' ' ? '_' : letter;
+    }
+    if constexpr (traits::digits > 0) {
+        type.digits = traits::digits;
+    }
+    if constexpr (std::is_same_v<T, long double>) {
+        type.name += "_" + std::to_string(type.digits);
+    }
+    if constexpr (limits::is_specialized && limits::radix == 2 && traits::digits > 0) {
+        if constexpr (limits::min_exponent > std::numeric_limits<int>::min() / 2) {
+            type.lowest = static_cast<int>(limits::min_exponent) - type.digits;
+        }
+    }
+    type.held = [](double x) { return static_cast<double>(number_access<T>::from(x)); };
+    return type;
+}
+
+} // namespace graze::precision

@@ -1,0 +1,132 @@
+// A formula in a number type, with the type hidden: what the precision suite measures.
+#pragma once
+
+#include <graze/precision/answer.hpp>
+#include <graze/shape/ball.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/wall.hpp>
+
+#include <concepts>
+#include <memory>
+#include <variant>
+
+namespace graze::precision {
+
+// A ball and what it may meet.
+template <int N>
+struct pair {
+    ball<N, double> a;
+    std::variant<ball<N, double>, plane<N, double>, wall<N, double>> other;
+};
+
+// Nothing where the formula is not about such a pair. May throw, which counts as a wrong answer.
+class subject {
+  public:
+    subject() = default;
+    subject(const subject&) = delete;
+    subject& operator=(const subject&) = delete;
+    virtual ~subject() = default;
+
+    [[nodiscard]] virtual std::optional<answer> operator()(const pair<2>& p) const = 0;
+    [[nodiscard]] virtual std::optional<answer> operator()(const pair<3>& p) const = 0;
+    // Of two pairs: their order.
+    [[nodiscard]] virtual std::optional<answer> operator()(const pair<2>& p, const pair<2>& q) const = 0;
+    [[nodiscard]] virtual std::optional<answer> operator()(const pair<3>& p, const pair<3>& q) const = 0;
+
+    std::string variant;            // what tables call the formula
+    quantity measures{};            // what is wrong where it throws
+    number_type type;               // in which it runs
+    bool correctly_rounded = false; // promises no wrong decision and no misrounded number
+};
+
+using subjects = std::vector<std::unique_ptr<subject>>;
+
+namespace detail {
+
+template <class T, int N>
+[[nodiscard]] vec<N, T> in_type(const vec<N, double>& x) {
+    return make_vec<N>([&](int i) { return number_access<T>::from(x[i]); });
+}
+template <class T, int N>
+[[nodiscard]] ball<N, T> in_type(const ball<N, double>& b) {
+    return {in_type<T>(b.position), in_type<T>(b.velocity), number_access<T>::from(b.radius),
+            number_access<T>::from(b.mass)};
+}
+template <class T, int N>
+[[nodiscard]] plane<N, T> in_type(const plane<N, double>& p) {
+    return {in_type<T>(p.point), in_type<T>(p.normal)};
+}
+template <class T, int N>
+[[nodiscard]] wall<N, T> in_type(const wall<N, double>& w) {
+    wall<N, T> result{in_type<T>(w.corner), {}};
+    for (std::size_t i = 0; i < w.edge.size(); ++i) {
+        result.edge[i] = in_type<T>(w.edge[i]);
+    }
+    return result;
+}
+
+template <class F, class T>
+class typed_subject final : public subject {
+  public:
+    [[nodiscard]] std::optional<answer> operator()(const pair<2>& p) const override { return single(p); }
+    [[nodiscard]] std::optional<answer> operator()(const pair<3>& p) const override { return single(p); }
+    [[nodiscard]] std::optional<answer> operator()(const pair<2>& p, const pair<2>& q) const override {
+        return both(p, q);
+    }
+    [[nodiscard]] std::optional<answer> operator()(const pair<3>& p, const pair<3>& q) const override {
+        return both(p, q);
+    }
+
+  private:
+    template <int N>
+    [[nodiscard]] static std::optional<answer> single(const pair<N>& p) {
+        return std::visit(
+            [&](const auto& other) -> std::optional<answer> {
+                if constexpr (requires(ball<N, T> b) { F{}(b, in_type<T>(other)); }) {
+                    return F{}(in_type<T>(p.a), in_type<T>(other));
+                } else {
+                    return std::nullopt;
+                }
+            },
+            p.other);
+    }
+    template <int N>
+    [[nodiscard]] static std::optional<answer> both(const pair<N>& p, const pair<N>& q) {
+        if constexpr (requires(ball<N, T> b) { F{}(b, b, b, b); }) {
+            const auto* b = std::get_if<ball<N, double>>(&p.other);
+            const auto* d = std::get_if<ball<N, double>>(&q.other);
+            if (b != nullptr && d != nullptr) {
+                return F{}(in_type<T>(p.a), in_type<T>(*b), in_type<T>(q.a), in_type<T>(*d));
+            }
+        }
+        return std::nullopt;
+    }
+};
+
+} // namespace detail
+
+// A formula that the suite can measure in T: a stateless function object that answers to two balls, a ball and a plane,
+// a ball and a wall (or, for an order, four balls), in the plane, in space or both. It has
+//   static constexpr const char* name;      what tables call it, a word
+//   static constexpr quantity measures;     what counts as wrong where it throws
+//   static constexpr bool correctly_rounded = true;   if it promises that nothing is ever wrong
+template <class F, class T>
+concept measurable = number<T> && std::default_initializable<F> && requires {
+    { F::name } -> std::convertible_to<std::string>;
+    { F::measures } -> std::convertible_to<quantity>;
+};
+
+template <class F, number T>
+requires measurable<F, T>
+void add(subjects& list) {
+    auto s = std::make_unique<detail::typed_subject<F, T>>();
+    s->variant = F::name;
+    s->measures = F::measures;
+    s->type = describe<T>();
+    if constexpr (requires { F::correctly_rounded; }) {
+        s->correctly_rounded = F::correctly_rounded;
+    }
+    list.push_back(std::move(s));
+}
+
+} // namespace graze::precision

@@ -1,0 +1,202 @@
+#include "failure.hpp"
+
+#include "shrink.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace precision {
+
+namespace {
+
+std::string decimal(double x) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%.17g (%a)", x, x);
+    return text;
+}
+
+std::string told(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", x);
+    return text;
+}
+
+std::string share(std::size_t part, std::size_t whole) { return std::to_string(part) + " of " + std::to_string(whole); }
+
+// The numbers in decimals, by name.
+template <int N>
+std::string in_words(const pair<N>& p) {
+    std::ostringstream out;
+    out.precision(17);
+    const auto vector = [&](const char* name, const graze::vec<N, double>& x) {
+        out << ' ' << name << " (";
+        for (int i = 0; i < N; ++i) {
+            out << (i == 0 ? "" : ", ") << x[i];
+        }
+        out << ')';
+    };
+    const auto ball = [&](const char* name, const graze::ball<N, double>& b) {
+        out << "    " << name;
+        vector("position", b.position);
+        vector("velocity", b.velocity);
+        out << " radius " << b.radius << " mass " << b.mass << '\n';
+    };
+    ball("ball a:", p.a);
+    if (const auto* b = std::get_if<graze::ball<N, double>>(&p.other)) {
+        ball("ball b:", *b);
+    } else if (const auto* plane = std::get_if<graze::plane<N, double>>(&p.other)) {
+        out << "    plane:";
+        vector("point", plane->point);
+        vector("normal", plane->normal);
+        out << '\n';
+    } else {
+        const auto& w = std::get<graze::wall<N, double>>(p.other);
+        out << "    wall:";
+        vector("corner", w.corner);
+        for (const auto& e : w.edge) {
+            vector("edge", e);
+        }
+        out << '\n';
+    }
+    return out.str();
+}
+
+std::string in_words(const reading& x) {
+    std::string text;
+    for (const double part : x.parts) {
+        text += (text.empty() ? "" : " + ") + decimal(part);
+    }
+    return x.exponent == 0 ? text : "(" + text + ") 2^" + std::to_string(x.exponent);
+}
+
+template <int N>
+std::string expected_and_actual(const key& k, const subject& formula, const pair<N>& p) {
+    const truth<N> right(p);
+    std::optional<graze::precision::answer> given;
+    std::string text;
+    try {
+        given = formula(p);
+    } catch (const std::exception& e) {
+        return std::string("    actual: an exception: ") + e.what() + "\n";
+    }
+    if (k.of == quantity::encounter) {
+        text += std::string("    expected: ") + to_string(static_cast<graze::encounter>(right.met().what)) +
+                "\n    actual:   " + (given->what ? to_string(*given->what) : "nothing");
+        if (given->where) {
+            text += std::string(", ") + to_string(*given->where) + " " + std::to_string(given->index);
+        }
+        return text + "\n";
+    }
+    const auto where = given->where ? static_cast<oracle::feature>(*given->where) : right.met().where();
+    const auto& all = right.of(k.of, where, given->index);
+    std::size_t at = 0;
+    for (const auto& v : given->values) {
+        if (v.of != k.of || at == all.size()) {
+            continue;
+        }
+        for (std::size_t i = 0; i < all[at].size(); ++i) {
+            text += "    expected: " + decimal(oracle::nearest_double(all[at][i].exactly())) +
+                    " to the nearest double\n" + "    actual:   " + in_words(v.components[i]) + "\n";
+        }
+        ++at;
+    }
+    return text.empty() ? "    actual: nothing\n" : text;
+}
+
+std::string file_name(const key& k) {
+    std::string name = to_string(k);
+    std::replace(name.begin(), name.end(), '/', '-');
+    return name;
+}
+
+void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+// The worst pair and the question whether another one is as bad.
+struct witness {
+    std::size_t at;
+    std::function<bool(const verdict&)> is_bad;
+};
+
+std::optional<witness> witness_of(const figures& now, const figures& accepted) {
+    if (now.largest > accepted.largest && now.largest_at) {
+        return witness{*now.largest_at, [limit = accepted.largest](const verdict& v) { return v.largest() > limit; }};
+    }
+    if (now.wrong > accepted.wrong && now.wrong_at) {
+        return witness{*now.wrong_at, [](const verdict& v) { return v.wrong; }};
+    }
+    if (now.misrounded_at) {
+        return witness{*now.misrounded_at, [](const verdict& v) { return v.misrounded != 0; }};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::vector<std::string> losses(const figures& now, const figures& accepted) {
+    std::vector<std::string> worse;
+    if (now.pairs < accepted.pairs) {
+        worse.push_back("pairs measured: " + std::to_string(accepted.pairs) + " -> " + std::to_string(now.pairs));
+    }
+    if (now.wrong > accepted.wrong) {
+        worse.push_back("wrong decisions: " + share(accepted.wrong, accepted.pairs) + " -> " +
+                        share(now.wrong, now.pairs));
+    }
+    // Shares, by their cross products.
+    if (now.misrounded * std::max<std::size_t>(accepted.values, 1) > accepted.misrounded * now.values &&
+        now.misrounded != 0) {
+        worse.push_back("misrounded: " + share(accepted.misrounded, accepted.values) + " -> " +
+                        share(now.misrounded, now.values));
+    }
+    if (!now.correctly_rounded && as_told(now.largest) > as_told(accepted.largest)) {
+        worse.push_back("largest error: " + told(accepted.largest) + " -> " + told(now.largest) +
+                        " units in the last place");
+    }
+    return worse;
+}
+
+std::string tell(const key& k, const figures& now, const figures& accepted, const subject& formula, const family& pairs,
+                 const circumstances& about) {
+    std::string text = "LOST " + to_string(k) + "\n";
+    for (const std::string& loss : losses(now, accepted)) {
+        text += "  " + loss + "\n";
+    }
+    std::string repeat = about.program + " --only " + to_string(k) + " " + about.inputs_option + about.accepted_option;
+    if (const auto found = witness_of(now, accepted)) {
+        const any_pair* other = k.of == quantity::order ? &pairs.pairs[found->at - 1] : nullptr;
+        const auto is_bad = [&](const any_pair& p) {
+            const auto v = judge_one(formula, k.of, other == nullptr ? p : *other, other == nullptr ? nullptr : &p);
+            return v && found->is_bad(*v);
+        };
+        any_pair smallest = shrunk(pairs.pairs[found->at], is_bad);
+        smallest = std::visit([&](const auto& p) -> any_pair { return held(p, formula.type).value_or(p); }, smallest);
+        std::filesystem::create_directories(about.results);
+        const std::filesystem::path base = about.results / file_name(k);
+        const auto with = [&](const char* suffix) {
+            std::filesystem::path file = base;
+            file += suffix;
+            return file;
+        };
+        std::string lines = "# origin: " + repeat + ", pair " + std::to_string(found->at) + ", shrunk\n";
+        lines += (other != nullptr ? to_line(*other) + "\n" : "") + to_line(smallest) + "\n";
+        write(with(".txt"), lines);
+        write(with(".json"), to_scene(smallest, file_name(k)));
+        text += "  on the smallest input found, from pair " + std::to_string(found->at) + ":\n";
+        text += std::visit([](const auto& p) { return in_words(p); }, smallest) + "    " + to_line(smallest) + "\n";
+        if (other == nullptr) {
+            text += std::visit([&](const auto& p) { return expected_and_actual(k, formula, p); }, smallest);
+        }
+        const auto v = other == nullptr ? judge_one(formula, k.of, smallest) : std::nullopt;
+        if (v && !v->errors.empty()) {
+            text += "    error:    " + told(v->largest()) + " units in the last place\n";
+        }
+        text += "  as a scene: graze-compare " + with(".json").string() + "\n";
+        text += "  alone:  " + about.program + " --only " + std::string(graze::precision::to_string(k.of)) + "/" +
+                k.variant + "/" + k.type + "/ --inputs " + with(".txt").string() + " --show\n";
+    }
+    text += "  compiler: " + about.compiler + "; flags: " + about.flags + "; inputs: " + about.inputs_option + "\n";
+    return text + "  repeat: " + repeat + "\n";
+}
+
+} // namespace precision

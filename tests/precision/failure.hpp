@@ -1,0 +1,22 @@
+// What a failure says.
+#pragma once
+
+#include "accepted.hpp"
+
+namespace precision {
+
+// How this program was made and asked, for messages.
+struct circumstances {
+    std::string program, compiler, flags;
+    std::string inputs_option, accepted_option; // by which inputs and accepted figures are named again
+    std::filesystem::path results;              // where shrunk inputs and scenes are written
+};
+
+// What is worse than accepted: empty where nothing is. Of correctly rounded figures what is wrong at all.
+[[nodiscard]] std::vector<std::string> losses(const figures& now, const figures& accepted);
+
+// The message, with the smallest input that shows the loss, which is also written to files.
+[[nodiscard]] std::string tell(const key& k, const figures& now, const figures& accepted, const subject& formula,
+                               const family& pairs, const circumstances& about);
+
+} // namespace precision

@@ -1,0 +1,177 @@
+# graze_add_precision_test(name
+#     TYPES type...           number types, as C++ writes them; or use
+#     [HEADERS file...]       the headers that declare them and the formulas, in <> or as paths
+#     [FORMULAS formula...]   function objects (graze/precision/subject.hpp); all of graze's unless given
+#     [DECISIONS]             graze's decisions and contacts in float and double as well, which may never be wrong
+#     [FLAGS set...]          each a string of compiler flags by which the formulas are compiled, after the build's own
+#     [ACCEPTED folder]       of the accepted figures
+#     [INPUTS path...]        files of kept pairs, or folders of them
+#     [LIBRARIES target...]   what the types need
+#     [PAIRS n] [SEED n] [THREADS n]
+#     [LABELS label...]       of the tests
+#     [EXPECT_LOSS]           that nothing is lost is the failure
+#     [EXCLUDE_FROM_ALL])     the programs are built by their target alone
+# makes for each set of flags a program and a test, name or name.1, name.2 ...; with several sets also name.flags, a test
+# that says which flag lost the precision. Needs GMP, for the exact values.
+include_guard(GLOBAL)
+set(GRAZE_PRECISION_SOURCES "${CMAKE_CURRENT_LIST_DIR}" CACHE INTERNAL "The sources of the precision suite")
+
+# What measures, compiled once and by the build's own flags without those that would spoil it.
+function(graze_precision_suite_library)
+    if(TARGET graze_precision_suite)
+        return()
+    endif()
+    find_path(GRAZE_gmp_INCLUDE_DIR gmpxx.h)
+    find_library(GRAZE_gmpxx_LIBRARY gmpxx)
+    find_library(GRAZE_gmp_LIBRARY gmp)
+    mark_as_advanced(GRAZE_gmp_INCLUDE_DIR GRAZE_gmpxx_LIBRARY GRAZE_gmp_LIBRARY)
+    if(NOT GRAZE_gmp_INCLUDE_DIR OR NOT GRAZE_gmpxx_LIBRARY OR NOT GRAZE_gmp_LIBRARY)
+        message(FATAL_ERROR "graze_add_precision_test: GMP (gmpxx.h, libgmpxx, libgmp) is not found; "
+            "on Debian and Ubuntu it is the package libgmp-dev")
+    endif()
+    find_package(Threads REQUIRED)
+    set(sources accepted failure inputs judge measure options run shrink truth which_flag)
+    list(TRANSFORM sources PREPEND "${GRAZE_PRECISION_SOURCES}/")
+    list(TRANSFORM sources APPEND ".cpp")
+    add_library(graze_precision_suite STATIC EXCLUDE_FROM_ALL ${sources})
+    target_include_directories(graze_precision_suite SYSTEM PRIVATE "${GRAZE_gmp_INCLUDE_DIR}")
+    target_link_libraries(graze_precision_suite PUBLIC graze::graze
+        "${GRAZE_gmpxx_LIBRARY}" "${GRAZE_gmp_LIBRARY}" Threads::Threads)
+    target_compile_options(graze_precision_suite PRIVATE -O1 -fno-fast-math -ffp-contract=off)
+endfunction()
+
+# The sources of a program: one for each type, so that types are compiled side by side, and the main program.
+function(graze_precision_sources folder flags sources_out)
+    set(includes "")
+    foreach(header IN LISTS arg_HEADERS)
+        if(header MATCHES "^<.*>$")
+            string(APPEND includes "#include ${header}\n")
+        else()
+            get_filename_component(header "${header}" ABSOLUTE)
+            string(APPEND includes "#include \"${header}\"\n")
+        endif()
+    endforeach()
+    set(declarations "")
+    set(calls "")
+    set(sources "${folder}/main.cpp")
+    set(number 0)
+    foreach(type IN LISTS arg_TYPES)
+        math(EXPR number "${number} + 1")
+        set(adds "graze::precision::add_formulas<measured>(list);")
+        if(arg_FORMULAS)
+            set(adds "")
+            foreach(formula IN LISTS arg_FORMULAS)
+                string(APPEND adds "graze::precision::add<${formula}, measured>(list);\n    ")
+            endforeach()
+        endif()
+        file(CONFIGURE OUTPUT "${folder}/type_${number}.cpp" @ONLY CONTENT
+"@includes@#include <graze/precision/formulas.hpp>
+
+using measured = @type@;
+
+void add_type_@number@(graze::precision::subjects& list);
+void add_type_@number@(graze::precision::subjects& list) {
+    @adds@
+}
+")
+        list(APPEND sources "${folder}/type_${number}.cpp")
+        string(APPEND declarations "void add_type_${number}(graze::precision::subjects& list);\n")
+        string(APPEND calls "    add_type_${number}(list);\n")
+    endforeach()
+    foreach(type IN ITEMS float double)
+        if(NOT arg_DECISIONS)
+            break()
+        endif()
+        file(CONFIGURE OUTPUT "${folder}/decisions_${type}.cpp" @ONLY CONTENT
+"#include <graze/precision/decisions.hpp>
+
+void add_decisions_@type@(graze::precision::subjects& list);
+void add_decisions_@type@(graze::precision::subjects& list) {
+    graze::precision::add_decisions<@type@>(list);
+}
+")
+        list(APPEND sources "${folder}/decisions_${type}.cpp")
+        string(APPEND declarations "void add_decisions_${type}(graze::precision::subjects& list);\n")
+        string(APPEND calls "    add_decisions_${type}(list);\n")
+    endforeach()
+    file(CONFIGURE OUTPUT "${folder}/main.cpp" @ONLY CONTENT
+"#include \"@GRAZE_PRECISION_SOURCES@/run.hpp\"
+
+@declarations@
+int main(int argc, char** argv) {
+    graze::precision::subjects list;
+@calls@    return precision::run(argc, argv, list, \"@CMAKE_CXX_COMPILER_ID@ @CMAKE_CXX_COMPILER_VERSION@\", \"@flags@\");
+}
+")
+    set(${sources_out} "${sources}" PARENT_SCOPE)
+endfunction()
+
+function(graze_add_precision_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXPECT_LOSS;EXCLUDE_FROM_ALL" "ACCEPTED;PAIRS;SEED;THREADS"
+        "TYPES;HEADERS;FORMULAS;FLAGS;INPUTS;LIBRARIES;LABELS")
+    if(arg_UNPARSED_ARGUMENTS OR NOT arg_TYPES)
+        message(FATAL_ERROR "graze_add_precision_test(${name}): TYPES expected, got '${arg_UNPARSED_ARGUMENTS}'")
+    endif()
+    graze_precision_suite_library()
+    if(NOT arg_FLAGS)
+        set(arg_FLAGS " ")
+    endif()
+    list(LENGTH arg_FLAGS sets)
+
+    set(common)
+    foreach(option IN ITEMS PAIRS SEED THREADS)
+        if(arg_${option})
+            string(TOLOWER "${option}" word)
+            list(APPEND common --${word} ${arg_${option}})
+        endif()
+    endforeach()
+    if(arg_ACCEPTED)
+        get_filename_component(accepted "${arg_ACCEPTED}" ABSOLUTE)
+        list(APPEND common --accepted "${accepted}")
+    endif()
+    foreach(path IN LISTS arg_INPUTS)
+        get_filename_component(path "${path}" ABSOLUTE)
+        list(APPEND common --kept "${path}")
+    endforeach()
+    set(own_exclude)
+    if(arg_EXCLUDE_FROM_ALL)
+        set(own_exclude EXCLUDE_FROM_ALL)
+    endif()
+
+    set(number 0)
+    set(tests)
+    set(results)
+    foreach(flags IN LISTS arg_FLAGS)
+        math(EXPR number "${number} + 1")
+        set(this "${name}")
+        if(sets GREATER 1)
+            set(this "${name}.${number}")
+        endif()
+        string(STRIP "${flags}" flags)
+        set(folder "${CMAKE_CURRENT_BINARY_DIR}/${this}.files")
+        graze_precision_sources("${folder}" "${flags}" sources)
+        add_executable(${this} ${own_exclude} ${sources})
+        target_link_libraries(${this} PRIVATE graze::graze ${arg_LIBRARIES} graze_precision_suite)
+        separate_arguments(options UNIX_COMMAND "${flags}")
+        list(REMOVE_AT sources 0)
+        set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS ${options})
+        set(run ${this} ${common} --results "${folder}/results")
+        if(arg_EXPECT_LOSS)
+            list(APPEND run --expect-loss)
+        endif()
+        add_test(NAME ${this} COMMAND ${run})
+        list(APPEND tests ${this})
+        list(APPEND results "${folder}/results/results.txt")
+    endforeach()
+    if(sets GREATER 1)
+        add_test(NAME ${name}.flags COMMAND ${name}.1 --which-flag ${results})
+        set_tests_properties(${name}.flags PROPERTIES DEPENDS "${tests}")
+        if(arg_EXPECT_LOSS)
+            set_tests_properties(${name}.flags PROPERTIES PASS_REGULAR_EXPRESSION "lost by ")
+        endif()
+        list(APPEND tests ${name}.flags)
+    endif()
+    if(arg_LABELS)
+        set_tests_properties(${tests} PROPERTIES LABELS "${arg_LABELS}")
+    endif()
+endfunction()

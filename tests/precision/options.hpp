@@ -1,0 +1,29 @@
+// The command line of a precision program.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace precision {
+
+struct options {
+    std::vector<std::string> only;             // figures whose key contains one of these
+    std::vector<std::filesystem::path> inputs; // these alone instead of the families
+    std::vector<std::filesystem::path> kept;   // files, or folders of *.txt, beside the families
+    std::filesystem::path accepted, results = "precision-results";
+    std::size_t pairs = 400;
+    std::uint64_t seed = 1;
+    unsigned threads = 1;
+    bool show = false, expect_loss = false, help = false;
+    std::vector<std::filesystem::path> flag_results; // of --which-flag
+};
+
+extern const char* const usage;
+
+// std::invalid_argument that names the option.
+[[nodiscard]] options parse(const std::vector<std::string>& words);
+
+} // namespace precision

@@ -1,0 +1,267 @@
+#include "run.hpp"
+
+#include "failure.hpp"
+#include "options.hpp"
+#include "which_flag.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <set>
+
+namespace precision {
+
+namespace {
+
+enum exit_code {
+    passed = 0,
+    lost = 1,
+    bad_input = 2,
+    nothing_measured = 3,
+    expected_failure_passed = 4,
+    not_accepted = 5
+};
+
+update update_asked() {
+    const char* text = std::getenv("GRAZE_PRECISION_UPDATE");
+    const std::string how = text == nullptr ? "no" : text;
+    if (how == "no") {
+        return update::no;
+    }
+    if (how == "new") {
+        return update::renewed;
+    }
+    if (how == "all") {
+        return update::all;
+    }
+    throw std::invalid_argument("GRAZE_PRECISION_UPDATE is \"" + how + "\", not no, new or all");
+}
+
+std::vector<family> families_asked(const options& o) {
+    std::vector<family> all;
+    if (o.inputs.empty()) {
+        all = drawn_families(o.pairs, o.seed);
+    }
+    std::vector<std::filesystem::path> files = o.inputs;
+    for (const auto& path : o.kept) {
+        if (!std::filesystem::is_directory(path)) {
+            files.push_back(path);
+            continue;
+        }
+        for (const auto& entry : std::filesystem::directory_iterator(path)) {
+            if (entry.path().extension() == ".txt") {
+                files.push_back(entry.path());
+            }
+        }
+    }
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files) {
+        all.push_back(read_inputs(file));
+    }
+    return all;
+}
+
+// The options that name the inputs. short_paths: as the accepted figures tell them, without folders of this machine.
+std::string command_of(const options& o, bool short_paths = false) {
+    const auto told = [&](const std::filesystem::path& path) {
+        return short_paths ? path.filename().string() : path.string();
+    };
+    std::string command = "--pairs " + std::to_string(o.pairs) + " --seed " + std::to_string(o.seed);
+    for (const auto& path : o.inputs) {
+        command = "--inputs " + told(path);
+    }
+    for (const auto& path : o.kept) {
+        command += " --kept " + told(path);
+    }
+    return command;
+}
+
+void print(const all_figures& measured) {
+    std::cout << "quantity/variant/type/family  pairs wrong  values misrounded  largest median\n";
+    for (const auto& [k, f] : measured) {
+        std::cout << to_string(k) << "  " << f.pairs << ' ' << f.wrong << "  " << f.values << ' ' << f.misrounded
+                  << "  " << as_told(f.largest) << ' ' << as_told(f.median) << '\n';
+    }
+}
+
+class comparison {
+  public:
+    comparison(const graze::precision::subjects& formulas, const plan& what, const all_figures& measured,
+               const accepted_figures& accepted, const circumstances& about)
+        : formulas_(formulas), plan_(what), measured_(measured), accepted_(accepted), about_(about) {
+        for (const auto& [k, f] : measured_) {
+            compare(k, f);
+        }
+        look_for_unmeasured();
+    }
+
+    [[nodiscard]] const std::vector<key>& losses() const { return lost_; }
+
+    int finish(std::ostream& out) const {
+        if (!unexpected_.empty()) {
+            out << "PASSED, though expected to fail (take the '!' from the line):\n";
+            list(unexpected_, out);
+        }
+        if (!new_.empty()) {
+            out << "NOT ACCEPTED YET: " << new_.size() << " figures, such as " << to_string(new_.front())
+                << "; see them with GRAZE_PRECISION_UPDATE=new\n";
+        }
+        if (!unmeasured_.empty()) {
+            out << "NOT MEASURED, though accepted:\n";
+            list(unmeasured_, out);
+        }
+        out << measured_.size() << " figures, " << lost_.size() << " worse than accepted, " << better_ << " better, by "
+            << about_.flags << '\n';
+        return !lost_.empty()         ? lost
+               : !unexpected_.empty() ? expected_failure_passed
+               : !unmeasured_.empty() ? nothing_measured
+               : !new_.empty()        ? not_accepted
+                                      : passed;
+    }
+
+  private:
+    static void list(const std::vector<key>& keys, std::ostream& out) {
+        constexpr std::size_t most = 10;
+        for (std::size_t i = 0; i < std::min(keys.size(), most); ++i) {
+            out << "  " << to_string(keys[i]) << '\n';
+        }
+        if (keys.size() > most) {
+            out << "  and " << keys.size() - most << " more\n";
+        }
+    }
+
+    void compare(const key& k, const figures& now) {
+        const auto line = accepted_.find(k);
+        if (!now.correctly_rounded && line == accepted_.end()) {
+            new_.push_back(k);
+            return;
+        }
+        const figures before = now.correctly_rounded ? figures{} : line->second.accepted;
+        const bool is_worse = !precision::losses(now, before).empty();
+        if (!now.correctly_rounded && line->second.expected_to_fail) {
+            if (!is_worse) {
+                unexpected_.push_back(k);
+            }
+            return;
+        }
+        if (!is_worse) {
+            better_ += !now.correctly_rounded && !precision::losses(before, now).empty() ? 1 : 0;
+            return;
+        }
+        lost_.push_back(k);
+        constexpr std::size_t most = 3; // messages; all of it is in the results
+        if (lost_.size() <= most) {
+            const auto formula = std::find_if(formulas_.begin(), formulas_.end(), [&](const auto& s) {
+                return s->variant == k.variant && s->type.name == k.type;
+            });
+            const auto pairs = std::find_if(plan_.families.begin(), plan_.families.end(),
+                                            [&](const family& f) { return f.name == k.family; });
+            std::cout << tell(k, now, before, **formula, *pairs, about_) << '\n';
+        } else if (lost_.size() == most + 1) {
+            std::cout << "Further losses, by name:\n";
+        }
+        if (lost_.size() > most) {
+            std::cout << "  " << to_string(k) << ": " << precision::losses(now, before).front() << '\n';
+        }
+    }
+
+    // Lines whose type was measured and whose family was drawn, and which nothing stands for any more.
+    void look_for_unmeasured() {
+        std::set<std::string> types, drawn;
+        for (const auto& s : formulas_) {
+            types.insert(s->type.name);
+        }
+        for (const family& f : plan_.families) {
+            drawn.insert(f.name);
+        }
+        for (const auto& [k, line] : accepted_) {
+            if (types.contains(k.type) && drawn.contains(k.family) && plan_.chooses(k) && !measured_.contains(k)) {
+                unmeasured_.push_back(k);
+            }
+        }
+    }
+
+    const graze::precision::subjects& formulas_;
+    const plan& plan_;
+    const all_figures& measured_;
+    const accepted_figures& accepted_;
+    const circumstances& about_;
+    std::vector<key> lost_, unexpected_, new_, unmeasured_;
+    std::size_t better_ = 0;
+};
+
+void write_results(const options& o, const std::string& flags, const all_figures& measured,
+                   const std::vector<key>& losses) {
+    std::filesystem::create_directories(o.results);
+    std::ofstream out(o.results / "results.txt");
+    out << "flags " << flags << "\nmeasured " << measured.size() << '\n';
+    for (const key& k : losses) {
+        out << "lost " << to_string(k) << '\n';
+    }
+}
+
+int run_checked(const options& o, const std::string& program, const graze::precision::subjects& formulas,
+                const std::string& compiler, const std::string& flags) {
+    if (!o.flag_results.empty()) {
+        return which_flag(o.flag_results, std::cout) ? lost : passed;
+    }
+    plan what;
+    what.families = families_asked(o);
+    what.threads = o.threads;
+    what.chooses = [&](const key& k) {
+        const std::string name = to_string(k);
+        return o.only.empty() || std::any_of(o.only.begin(), o.only.end(), [&](const std::string& text) {
+                   return name.find(text) != std::string::npos;
+               });
+    };
+    const update how = update_asked();
+    const accepted_figures accepted = o.accepted.empty() ? accepted_figures{} : read_accepted(o.accepted);
+    const all_figures measured = measure(formulas, what);
+    if (measured.empty()) {
+        std::cout << "NOTHING WAS MEASURED: no formula, type, family and --only fit together\n";
+        return nothing_measured;
+    }
+    if (o.show) {
+        print(measured);
+        return passed;
+    }
+    const std::string repeated = command_of(o);
+    const circumstances about{
+        program, compiler, flags, repeated, o.accepted.empty() ? "" : " --accepted " + o.accepted.string(), o.results};
+    if (!o.accepted.empty() && how != update::no) {
+        for (const auto& file : write_accepted(o.accepted, accepted, measured, how,
+                                               std::filesystem::path(program).filename().string() + " " +
+                                                   command_of(o, true) + ", flags " + flags)) {
+            std::cout << "wrote " << file.string() << '\n';
+        }
+    }
+    const accepted_figures now = how == update::all ? read_accepted(o.accepted) : accepted;
+    const comparison result(formulas, what, measured, now, about);
+    write_results(o, flags, measured, result.losses());
+    const int code = result.finish(std::cout);
+    if (!o.expect_loss || code == bad_input || code == nothing_measured) {
+        return code;
+    }
+    std::cout << (code == lost ? "A loss was expected.\n" : "A LOSS WAS EXPECTED, and there is none.\n");
+    return code == lost ? passed : code == passed ? expected_failure_passed : code;
+}
+
+} // namespace
+
+int run(int argc, char** argv, const graze::precision::subjects& formulas, const std::string& compiler,
+        const std::string& flags) {
+    try {
+        const options o = parse({argv + 1, argv + argc});
+        if (o.help) {
+            std::cout << usage;
+            return passed;
+        }
+        return run_checked(o, argv[0], formulas, compiler, flags);
+    } catch (const std::exception& e) {
+        std::cerr << e.what() << '\n';
+        return bad_input;
+    }
+}
+
+} // namespace precision

@@ -1,0 +1,14 @@
+// What a precision program does: measure, compare, tell.
+#pragma once
+
+#include <graze/precision/subject.hpp>
+
+#include <string>
+
+namespace precision {
+
+// With the exit codes of `usage`. flags: those by which the formulas were compiled.
+[[nodiscard]] int run(int argc, char** argv, const graze::precision::subjects& formulas, const std::string& compiler,
+                      const std::string& flags);
+
+} // namespace precision

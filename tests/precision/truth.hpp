@@ -1,0 +1,67 @@
+// The exact values of everything that the suite measures, by the oracle, for one pair.
+#pragma once
+
+#include "../oracle/contact.hpp"
+
+#include <graze/precision/subject.hpp>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace precision {
+
+using graze::precision::pair;
+using graze::precision::quantity;
+
+// An exact number and rational approximations of it, each computed once.
+class exact_number {
+  public:
+    explicit exact_number(oracle::surd x) : value_(std::move(x)) {}
+
+    [[nodiscard]] const oracle::surd& exactly() const { return value_; }
+    // Within 2^-bits of it, relatively; itself where it is rational. bits <= 512.
+    [[nodiscard]] const mpq_class& to(int bits) const;
+
+  private:
+    oracle::surd value_;
+    mutable std::array<std::optional<mpq_class>, 2> known_;
+};
+
+using exact_vector = std::vector<exact_number>;
+
+template <int N>
+class truth {
+  public:
+    // p is valid (see is_valid).
+    explicit truth(const pair<N>& p);
+
+    [[nodiscard]] const oracle::answer& met() const { return met_; }
+    // The values of a quantity, in the order of graze::precision::answer; empty where the pair has none. where and
+    // index: the feature of a wall that is met, one of those that are.
+    [[nodiscard]] const std::vector<exact_vector>& of(quantity q, oracle::feature where, int index) const;
+
+  private:
+    struct values {
+        oracle::feature where;
+        int index;
+        std::array<std::vector<exact_vector>, 10> of;
+    };
+    void add_coefficients(const graze::ball<N, double>& a, const graze::ball<N, double>& b, values& v) const;
+    [[nodiscard]] values values_at(oracle::feature where, int index) const;
+
+    pair<N> pair_;
+    oracle::answer met_;
+    mutable std::vector<values> known_;
+};
+
+// Whether the numbers are finite (but for one infinite mass) and describe balls, a plane or a wall.
+template <int N>
+[[nodiscard]] bool is_valid(const pair<N>& p);
+
+extern template class truth<2>;
+extern template class truth<3>;
+extern template bool is_valid(const pair<2>&);
+extern template bool is_valid(const pair<3>&);
+
+} // namespace precision

@@ -1,0 +1,15 @@
+// Of the results of several flag sets: which flag lost the precision.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <vector>
+
+namespace precision {
+
+// Reads what `run` writes as results.txt. Names, for each set of figures that were lost in the same flag sets, the
+// flags that all of these have and no other set has. Returns whether anything was lost. std::runtime_error for a file
+// that is not there or not of this form.
+bool which_flag(const std::vector<std::filesystem::path>& results, std::ostream& out);
+
+} // namespace precision
