@@ -1,0 +1,40 @@
+// One that answers: graze, the formulas in a number type, or a library's continuous collision.
+#pragma once
+
+#include "question.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace peers {
+
+// Holds the questions of one trial in the form that it takes them in.
+class contestant {
+  public:
+    virtual ~contestant() = default;
+    // When the ball first touches the thing before the horizon; empty if it does not.
+    [[nodiscard]] virtual std::optional<double> answer(std::size_t i) const = 0;
+};
+
+struct entry {
+    std::string name;     // "FCL"; of the formulas the number type
+    std::string version;  // "FCL 0.7.0"; empty of graze and the formulas
+    std::string settings; // everything that was chosen
+    std::string promise;  // what its documentation says of the result
+    std::unique_ptr<contestant> (*prepare)(const trial&) = nullptr;
+    int digits = 53;       // of what it computes in
+    bool in_space = true;  // takes trials in space
+    bool boxes = true;     // and boxes and edges
+    std::string variant{}; // of the formulas; else empty
+    std::string root{};    // the same
+};
+
+// graze first, then the formulas.
+[[nodiscard]] std::vector<entry> own_entries();
+
+// The libraries', where they are there.
+[[nodiscard]] std::vector<entry> fcl_entries();
+[[nodiscard]] std::vector<entry> bullet_entries();
+[[nodiscard]] std::vector<entry> box2d_entries();
+
+} // namespace peers

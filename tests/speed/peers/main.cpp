@@ -1,0 +1,61 @@
+// graze-peers: graze, plain doubles and the libraries that one would take instead, on the same inputs in one run.
+#include "measure.hpp"
+#include "sections.hpp"
+#include "trials.hpp"
+
+#include <json_results.hpp>
+#include <whole_file.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+int run(int argc, char** argv) {
+    CLI::App app{"Asks graze, plain doubles and the continuous collision of FCL, Bullet and Box2D (those that this "
+                 "build has) whether and when balls touch balls, boxes and edges. Every answer is held against exact "
+                 "arithmetic. Prints tables in Markdown.",
+                 "graze-peers"};
+    std::size_t count = 2000;
+    std::uint64_t seed = 1;
+    double timing = 0.5;
+    bool every = false;
+    std::string json;
+    app.add_option("--count", count, "Questions of each trial")->check(CLI::Range(1, 100'000))->capture_default_str();
+    app.add_option("--seed", seed, "The seed of the questions")->capture_default_str();
+    app.add_option("--timing", timing, "Seconds to spend on the times of a trial; 0: nothing is timed")
+        ->check(CLI::Range(0.0, 3600.0))
+        ->capture_default_str();
+    app.add_flag("--every", every, "Every variant in every number type of the machine, not double's first and last");
+    app.add_option("--json", json, "Write the results to FILE-balls-2d.json and so on, which graze-compare reads");
+    CLI11_PARSE(app, argc, argv);
+
+    std::vector<std::string> missing;
+    const std::vector<peers::entry> entries = peers::all_entries(every, missing);
+    std::fputs(peers::description_of(entries, missing, count, seed).c_str(), stdout);
+    std::string command = "graze-peers";
+    for (int i = 1; i < argc; ++i) {
+        command += ' ' + std::string(argv[i]);
+    }
+    for (const peers::section& s : peers::measure_sections(entries, seed, count, timing)) {
+        std::fputs(peers::table_of(s, entries).c_str(), stdout);
+        if (!json.empty()) {
+            compare::write_whole_file(json + '-' + s.file_name + ".json",
+                                      compare::to_json(peers::results_of(s, entries, command, seed)));
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "graze-peers: %s\n", e.what());
+        return 2;
+    }
+}

@@ -1,0 +1,137 @@
+#include "measure.hpp"
+
+#include "../../oracle/encounter.hpp"
+#include "../../oracle/rounding.hpp"
+
+#include <statistics.hpp>
+#include <stopwatch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace peers {
+
+namespace {
+
+// Whether and when the ball first touches the thing: the first of its walls.
+template <int N>
+std::optional<oracle::surd> truth_of(const scene<N>& s) {
+    if (s.walls.empty()) {
+        return oracle::meet(s.a, s.b).time;
+    }
+    std::optional<oracle::surd> first;
+    for (const auto& w : s.walls) {
+        const auto time = oracle::meet(s.a, w).time;
+        if (time && (!first || oracle::compare(*time, *first) < 0)) {
+            first = time;
+        }
+    }
+    return first;
+}
+
+std::vector<std::optional<oracle::surd>> truths_of(const trial& t) {
+    std::vector<std::optional<oracle::surd>> truths;
+    std::visit(
+        [&](const auto& exactly) {
+            for (const auto& s : exactly.all) {
+                truths.push_back(truth_of(s));
+            }
+        },
+        t.exactly);
+    return truths;
+}
+
+// Errors of times, relative and in units of the last place.
+class time_errors {
+  public:
+    void add(const oracle::surd& truth, double given) {
+        const bool rounded = oracle::is_rounded(truth, given);
+        if (oracle::sign_of(truth) == 0) {
+            static_cast<void>(units_.add(compare::wide_of(given), 0, rounded));
+            return;
+        }
+        const mpq_class exact = oracle::approximate(truth, 200);
+        const mpq_class off = rounded && oracle::compare(truth, mpq_class(given)) == 0
+                                  ? mpq_class(0)
+                                  : mpq_class(abs(mpq_class(given) - exact));
+        relative_.push_back(mpq_class(off / exact).get_d());
+        const compare::wide size = compare::wide_of(exact.get_d()); // rounded down: in the same binade
+        static_cast<void>(units_.add(compare::wide_of(relative_.back()) * size, size, rounded));
+    }
+    void finish(score& s, bool planar_balls) {
+        if (!relative_.empty()) {
+            s.median = compare::median(relative_);
+            s.largest = relative_.back();
+        }
+        s.row.error(planar_balls ? compare::quantity::time : compare::quantity::crossing) = units_.summary();
+    }
+
+  private:
+    std::vector<double> relative_;
+    compare::error_sample units_;
+};
+
+score score_of(const trial& t, const contestant& c, const std::vector<std::optional<oracle::surd>>& truths) {
+    score s;
+    time_errors errors;
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const std::optional<double> given = c.answer(i);
+        ++s.asked;
+        s.touch += truths[i] ? 1U : 0U;
+        s.missed += truths[i] && !given ? 1U : 0U;
+        s.invented += !truths[i] && given ? 1U : 0U;
+        if (truths[i] && given) {
+            errors.add(*truths[i], *given);
+        }
+    }
+    errors.finish(s, t.what == thing::ball);
+    s.row.group = t.name;
+    s.row.decisions.evaluated = s.asked;
+    s.row.decisions.hit_or_miss = s.missed + s.invented;
+    return s;
+}
+
+} // namespace
+
+std::vector<std::optional<score>> measure(const trial& t, const std::vector<entry>& entries, double timing) {
+    const auto truths = truths_of(t);
+    std::vector<std::optional<score>> scores;
+    std::vector<std::unique_ptr<contestant>> contestants;
+    std::vector<compare::timed_candidate> timed;
+    for (const entry& e : entries) {
+        if ((t.in_space() && !e.in_space) || (t.what != thing::ball && !e.boxes)) {
+            scores.emplace_back();
+            continue;
+        }
+        contestants.push_back(e.prepare(t));
+        scores.push_back(score_of(t, *contestants.back(), truths));
+        scores.back()->row.type = e.name;
+        scores.back()->row.variant = e.variant;
+        scores.back()->row.root = e.root;
+        const contestant& c = *contestants.back();
+        timed.push_back({[&c](std::size_t n) {
+                             for (std::size_t i = 0; i < n; ++i) {
+                                 static_cast<void>(c.answer(i)); // virtual, of another file: not optimised away
+                             }
+                         },
+                         truths.size()});
+    }
+    if (timing > 0) {
+        const auto times = compare::time_interleaved(timed, timing);
+        std::size_t next = 0;
+        for (auto& s : scores) {
+            if (s) {
+                const compare::timing& taken = times[next++];
+                s->nanoseconds = taken.median;
+                s->row.nanoseconds = taken.median;
+                s->row.nanoseconds_low = taken.low;
+                s->row.nanoseconds_high = taken.high;
+                s->row.timed_pairs = taken.pairs;
+                s->row.repeats = taken.repeats;
+            }
+        }
+    }
+    return scores;
+}
+
+} // namespace peers

@@ -1,0 +1,16 @@
+// The questions by family, the same in every run of a seed.
+#pragma once
+
+#include "question.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace peers {
+
+// Each of `count` questions. Balls in space and in the plane, boxes in space and in the plane, edges in the plane.
+// Of the pairs that the families draw, those that overlap at the start, or are at relative rest, are left out, but for
+// those that part.
+[[nodiscard]] std::vector<trial> all_trials(std::uint64_t seed, std::size_t count);
+
+} // namespace peers
