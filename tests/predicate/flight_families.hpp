@@ -89,11 +89,11 @@ bool come_closer(const graze::flight<N>& a, const graze::flight<N>& b) {
     return graze::coefficient_h{}(graze::relative_motion_of(a, b)) < 0;
 }
 
-// Any of these, by the number `which` mod 6.
+// Any of these, by the number `which` mod 5.
 template <int N>
 pair<N> draw(unsigned which, std::uint64_t seed, std::uint64_t index) {
     families::random r(seed, index);
-    switch (which % 6) {
+    switch (which % 5) {
     case 0:
         if (r.one_in(3)) {
             return passing<N>(r);

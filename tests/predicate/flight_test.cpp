@@ -44,7 +44,7 @@ bool is_right(const graze::flight<N, T>& a, const B& b) {
 
 template <int N>
 flight_families::pair<N> any() {
-    const auto which = *rc::gen::inRange<unsigned>(0, 6);
+    const auto which = *rc::gen::inRange<unsigned>(0, 5);
     const auto index = *rc::gen::arbitrary<std::uint64_t>();
     return flight_families::draw<N>(which, 5, index % (1U << 20U));
 }

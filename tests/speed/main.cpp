@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
     speed::register_decisions();
     speed::register_orders();
     speed::register_contacts();
+    speed::register_flights();
 #ifdef GRAZE_SPEED_CGAL
     speed::register_cgal();
 #endif

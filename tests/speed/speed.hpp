@@ -115,6 +115,7 @@ void compare_type(const std::string& group, const std::string& name, const pairs
 void register_decisions();
 void register_orders();
 void register_contacts();
+void register_flights();
 void register_cgal(); // where CGAL is there
 
 } // namespace speed

@@ -3,6 +3,7 @@
 
 #include <graze/contact/collide_balls.hpp>
 #include <graze/contact/collide_walls.hpp>
+#include <graze/contact/fast_flights.hpp>
 #include <graze/predicate/time_of_flights.hpp>
 
 namespace graze {
@@ -48,9 +49,11 @@ template <int N, class T>
     }
 }
 
-// The contact of two flights of which it has been decided what becomes of them.
+// The contact of two flights of which it has been decided what becomes of them; f: what the filter knows of them, which
+// is certain of no graze.
 template <int N, class T, class Observer>
-[[nodiscard]] constexpr std::optional<contact<N, T>> contact_of(encounter what, stage decided_by, const flight<N, T>& a,
+[[nodiscard]] constexpr std::optional<contact<N, T>> contact_of(encounter what, stage decided_by,
+                                                                const filtered_balls& f, const flight<N, T>& a,
                                                                 const flight<N, T>& b, Observer&& observer) {
     check_masses(a.state.mass, b.state.mass, "flight a", "flight b");
     if (!is_collision(what)) {
@@ -58,16 +61,25 @@ template <int N, class T, class Observer>
         return std::nullopt;
     }
     std::optional<contact<N, T>> c(std::in_place);
-    c->velocity_a = a.state.velocity;
-    c->velocity_b = b.state.velocity;
-    if (what == encounter::overlap) {
-        c->time = flight_event<N, T>{
-            event<N, T>(two_balls<N>{}, a.state, b.state, event_kind::balls, 0, true),
-            {a.since,
-             b.since}}.start();
+    parts wanted = all_parts;
+    if constexpr (has_error_free_doubles) {
+        if (f.certain && what == encounter::hit && rounds_to_nearest()) [[likely]] {
+            wanted = fast_contact(*c, a, b, effective_mass<double>(a.state.mass, b.state.mass),
+                                  effective_mass<double>(b.state.mass, a.state.mass),
+                                  root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
+        }
     }
-    complete(*c, all_parts, what, a, b);
-    observer(stage::exact);
+    if (wanted == all_parts) {
+        c->velocity_a = a.state.velocity;
+        c->velocity_b = b.state.velocity;
+        if (what == encounter::overlap) {
+            c->time = start_of<T>({a.since, b.since});
+        }
+    }
+    if (wanted != 0) {
+        complete(*c, wanted, what, a, b);
+    }
+    observer(wanted != 0 ? stage::exact : decided_by);
     return c;
 }
 
@@ -86,7 +98,8 @@ struct clock_of_flight {
         if (has_time(wanted)) {
             const auto kind = std::is_same_v<P, ball_and_plane<N>> ? event_kind::plane : kind_of<N>(found.where);
             const flight_event<N, T> e{event<N, T>(pair, b, shape, kind, found.index, false), {since, since}};
-            c.time = found.what == encounter::overlap ? e.start() : round_exactly<T>(e, rounding::nearest);
+            c.time =
+                found.what == encounter::overlap ? start_of<T>({since, since}) : round_exactly<T>(e, rounding::nearest);
         }
         return wanted & ~parts{1};
     }
@@ -103,10 +116,10 @@ requires is_binary_input<T>
                                                              Observer&& observer = {}) {
     if (!std::is_constant_evaluated()) {
         if (const auto f = detail::filter_flights(a, b); f.certain) [[likely]] {
-            return detail::contact_of(f.what(), stage::filter, a, b, observer);
+            return detail::contact_of(f.what(), stage::filter, f, a, b, observer);
         }
     }
-    return detail::contact_of(detail::classify_exactly(a, b), stage::exact, a, b, observer);
+    return detail::contact_of(detail::classify_exactly(a, b), stage::exact, {}, a, b, observer);
 }
 
 // The contact of a flight and an infinite plane; empty when it recedes. The mass has no part in it.

@@ -22,10 +22,11 @@ template <int N, class T>
 }
 
 // Components that no arithmetic is needed for, which the intervals leave open when they are 0: where a ball does not
-// move along an axis, and where both are, and move, alike. Returns those that are still open.
+// move along an axis, and where both are, and move, alike. together: whether they started at one instant. Returns those
+// that are still open.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] inline parts fill_in_at_rest(parts open_parts, contact<N, T>& c, const ball<N, T>& a,
-                                                          const ball<N, T>& b) noexcept {
+                                                          const ball<N, T>& b, bool together) noexcept {
     const T zero(0);
     const auto set = [&](part which, int i, T& to, const T& value) {
         const parts bit = parts{1} << (static_cast<int>(which) + i);
@@ -41,7 +42,7 @@ template <int N, class T>
         if (b.velocity[i] == zero) {
             set(part::position_b, i, c.position_b[i], b.position[i]);
         }
-        if (a.position[i] == b.position[i] && a.velocity[i] == b.velocity[i]) {
+        if (a.position[i] == b.position[i] && a.velocity[i] == b.velocity[i] && (together || a.velocity[i] == zero)) {
             set(part::normal, i, c.normal[i], zero);
             set(part::velocity_a, i, c.velocity_a[i], a.velocity[i]);
             set(part::velocity_b, i, c.velocity_b[i], b.velocity[i]);
@@ -88,21 +89,12 @@ struct contact_by_doubles {
     }
 };
 
-// Fills in the components that are certain and returns the others; what: hit or overlap. The velocity of a ball of
-// infinite mass is its own.
+// What is open when `certain` has been filled in. The velocity of a ball of infinite mass is its own.
 template <int N, class T>
-[[nodiscard]] inline parts fast_contact(contact<N, T>& c, encounter what, const ball<N, T>& a, const ball<N, T>& b,
-                                        double mass_a, double mass_b, double time) noexcept {
+[[nodiscard]] inline parts open_after(parts certain, contact<N, T>& c, const ball<N, T>& a, const ball<N, T>& b,
+                                      double mass_a, double mass_b, bool together = true) noexcept {
     constexpr parts every_part = N == 3 ? 0xffffU : 0x6db7U;
-    constexpr parts of_motion = 0x7fU; // time and positions
     constexpr parts of_velocity = 7;
-    const bool overlap = what == encounter::overlap;
-    parts certain = with_best_products(contact_by_doubles<N, T>{c, a, b, mass_a, mass_b, time, overlap});
-    if (overlap) {
-        c.position_a = with_plain_zeros(a.position);
-        c.position_b = with_plain_zeros(b.position);
-        certain |= of_motion;
-    }
     if (mass_a == 0) {
         c.velocity_b = b.velocity;
         certain |= of_velocity << static_cast<int>(part::velocity_b);
@@ -112,7 +104,22 @@ template <int N, class T>
         certain |= of_velocity << static_cast<int>(part::velocity_a);
     }
     const parts open_parts = every_part & ~certain;
-    return open_parts == 0 ? 0 : fill_in_at_rest(open_parts, c, a, b);
+    return open_parts == 0 ? 0 : fill_in_at_rest(open_parts, c, a, b, together);
+}
+
+// Fills in the components that are certain and returns the others; what: hit or overlap.
+template <int N, class T>
+[[nodiscard]] inline parts fast_contact(contact<N, T>& c, encounter what, const ball<N, T>& a, const ball<N, T>& b,
+                                        double mass_a, double mass_b, double time) noexcept {
+    constexpr parts of_motion = 0x7fU; // time and positions
+    const bool overlap = what == encounter::overlap;
+    parts certain = with_best_products(contact_by_doubles<N, T>{c, a, b, mass_a, mass_b, time, overlap});
+    if (overlap) {
+        c.position_a = with_plain_zeros(a.position);
+        c.position_b = with_plain_zeros(b.position);
+        certain |= of_motion;
+    }
+    return open_after(certain, c, a, b, mass_a, mass_b);
 }
 
 } // namespace graze::detail

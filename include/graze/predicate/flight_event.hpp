@@ -7,6 +7,23 @@
 
 namespace graze::detail {
 
+// Whether s < t, exactly, of any finite numbers, by their bits.
+template <class T>
+[[nodiscard]] constexpr bool is_earlier(const T& s, const T& t) noexcept {
+    const auto order = [](const T& x) {
+        const auto magnitude = static_cast<std::int64_t>(order_of_magnitude(x));
+        return split(x).significand < 0 ? -magnitude : magnitude;
+    };
+    return order(s) < order(t);
+}
+
+// The later of two instants; a zero as +0.
+template <class T>
+[[nodiscard]] constexpr T start_of(const std::array<T, 2>& since) noexcept {
+    const T& later = is_earlier(since[0], since[1]) ? since[1] : since[0];
+    return from_bits<T>(order_of_magnitude(later) == 0 ? 0 : bits_of(later), false);
+}
+
 // What met, and since when each of the two was on its way; a plane's and a wall's is the flight's. An event that is at
 // its start (pair.overlap) overlaps or touches then.
 template <int N, class T>
@@ -14,20 +31,7 @@ struct flight_event {
     event<N, T> pair;
     std::array<T, 2> since;
 
-    // When both are on their way; a zero as +0.
-    [[nodiscard]] constexpr T start() const noexcept {
-        const T& later = is_earlier(since[0], since[1]) ? since[1] : since[0];
-        return from_bits<T>(order_of_magnitude(later) == 0 ? 0 : bits_of(later), false);
-    }
-
-    // Exactly, of any finite numbers, by their bits.
-    [[nodiscard]] static constexpr bool is_earlier(const T& s, const T& t) noexcept {
-        const auto order = [](const T& x) {
-            const auto magnitude = static_cast<std::int64_t>(order_of_magnitude(x));
-            return split(x).significand < 0 ? -magnitude : magnitude;
-        };
-        return order(s) < order(t);
-    }
+    [[nodiscard]] constexpr T start() const noexcept { return start_of(since); }
 };
 
 // f(motion, start) with the exact motion of settled inputs at their start.
