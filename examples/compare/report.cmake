@@ -19,3 +19,4 @@ add_library(compare_report STATIC
 target_include_directories(compare_report PUBLIC ${CMAKE_CURRENT_LIST_DIR})
 target_compile_features(compare_report PUBLIC cxx_std_20)
 target_link_libraries(compare_report PRIVATE compare_engine Boost::headers graze_warnings)
+target_compile_options(compare_report PRIVATE $<$<CONFIG:Release>:-O1>)
