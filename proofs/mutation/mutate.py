@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FORMULAS = ROOT / "include/graze/formula"
 # The proofs, those that are about a header first; the slow ones last.
 PROOFS = ["formula/discriminant", "formula/roots", "formula/root_order", "formula/contact", "formula/impulse",
-          "formula/plane_crossing", "formula/errata", "formula/wall_features", "predicate/scenes",
+          "formula/plane_crossing", "formula/flight_motion", "formula/errata", "formula/wall_features", "predicate/scenes",
           "predicate/wall_scenes", "analysis/bit_width", "predicate/decisions"]
 ABOUT = {
     "relative_motion": ["formula/discriminant"], "quadratic": ["formula/discriminant"],
@@ -29,7 +29,7 @@ ABOUT = {
     "wall_features": ["formula/wall_features"], "wall_encounter": ["predicate/wall_scenes", "formula/errata"],
     "encounter": ["formula/errata"], "solution": ["predicate/scenes", "formula/errata"],
     "solve_balls": ["predicate/scenes"], "solve_plane": ["predicate/scenes"], "solve_wall": ["predicate/scenes"],
-    "exact_in": ["analysis/bit_width"],
+    "exact_in": ["analysis/bit_width"], "flight_motion": ["formula/flight_motion"],
 }
 SWAPS = {"+": "-", "-": "+", "*": "+", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "==",
          "&&": "||", "||": "&&", ">>": "<<", "<<": ">>", "&": "|"}

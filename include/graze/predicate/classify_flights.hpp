@@ -59,8 +59,9 @@ template <int N, class T>
     const vec<N, double> u = wide(lead > 0 ? a.state.velocity : b.state.velocity);
     const auto now = rounded_motion(a.state, b.state);
     const double length2 = graze::squared_norm(now.dx) + graze::squared_norm(lead * u) + now.R * now.R;
-    const bool known_lead = (bits_of(a.since) == bits_of(b.since)) | within_powers<-range, range>(std::fabs(lead));
-    const bool in_range = known_lead & (lead * lead * 0x1p-68 < length2);
+    const unsigned known_lead = static_cast<unsigned>(bits_of(a.since) == bits_of(b.since)) |
+                                static_cast<unsigned>(within_powers<-range, range>(std::fabs(lead)));
+    const bool in_range = (known_lead & static_cast<unsigned>(lead * lead * 0x1p-68 < length2)) != 0;
     return {with_lead(now, u, lead), length2, in_range};
 }
 

@@ -34,7 +34,7 @@ template <class T>
 // the later one's. A regular type but for a default value, as impact_time is, and made by time_of_impact only: two are
 // equal exactly when their times are, whatever met whatever and since when. Comparisons look at an enclosure in doubles
 // first and at the inputs, which the value keeps, only when the enclosures overlap; they never round, throw or
-// allocate. 168 bytes for N = 3 and doubles, 112 for N = 2.
+// allocate. 168 bytes for N = 3 and doubles, 120 for N = 2.
 template <int N, class T = double>
 class flight_time {
   public:

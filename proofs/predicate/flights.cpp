@@ -1,0 +1,57 @@
+// Flights as constants: every encounter after the later start, ties of different epochs, points among mirrors.
+#include <graze/graze.hpp>
+
+namespace {
+
+using namespace graze;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double ulp = 0x1p-52;
+
+// A flight along the axis at height y, which is at x = 0 at t = 1, and a ball at rest at (10, 0) from `since` on.
+constexpr flight<2> mover(double y) { return {{{{0, y}}, {{1, 0}}, 1}, 1}; }
+constexpr flight<2> target(double since) { return {{{{10, 0}}, {{0, 0}}, 1}, since}; }
+constexpr encounter pass(double y, double since) { return classify(mover(y), target(since)); }
+static_assert(pass(0, 3) == encounter::hit);
+static_assert(pass(0, 9) == encounter::hit); // touching
+static_assert(pass(0, 9 + 16 * ulp) == encounter::overlap);
+static_assert(pass(0, 11) == encounter::recede); // the centres are one
+static_assert(pass(2, 3) == encounter::graze);
+static_assert(pass(2 - ulp, 3) == encounter::hit);
+static_assert(pass(2 + 2 * ulp, 3) == encounter::miss);
+static_assert(overlaps(mover(0), target(10)) && !overlaps(mover(0), target(9)));
+
+// Whenever the target starts, the time is the same, exactly; once it is touched, that of its start.
+static_assert(*time_of_impact(mover(0), target(3)) == 9.0);
+static_assert(*time_of_impact(mover(1), target(3)) == *time_of_impact(target(8), mover(1)));
+static_assert(*time_of_impact(mover(1), target(3)) < *time_of_impact(mover(1.5), target(-7)));
+static_assert(*time_of_impact(mover(0), target(9.5)) == 9.5);
+static_assert(static_cast<double>(*time_of_impact(mover(1), target(3))) == 0x1.28930a2f4f66bp3); // 11 - √3
+static_assert(time_of_impact(mover(1), target(3))->lower() < *time_of_impact(mover(1), target(3)));
+static_assert(!time_of_impact(mover(3), target(3)));
+
+// Against a plane and a wall, on the same clock.
+constexpr plane<2> end{{{9, 0}}, {{2, 0}}};
+constexpr wall<2> segment{{{9, -1}}, {{{{0, 2}}}}};
+static_assert(*time_of_impact(mover(0), end) == *time_of_impact(mover(0), target(2)));
+static_assert(*time_of_impact(mover(0), segment) == *time_of_impact(mover(0), end));
+static_assert(collide(mover(0), end)->time == 9 && collide(mover(0), end)->position[0] == 8);
+
+// A point among mirrors: the velocity turned round, the mirror's kept, the time absolute.
+constexpr flight<2> photon{{{{0.5, 0.25}}, {{1, 0}}, 0}, 2};
+constexpr flight<2> mirror{{{{2.5, 0.25}}, {{0, 0}}, 0.5, infinity}, 0};
+constexpr auto bounce = *collide(photon, mirror);
+static_assert(bounce.time == 3.5 && bounce.position_a == vec<2, double>{{2, 0.25}});
+static_assert(bounce.velocity_a == vec<2, double>{{-1, 0}} && bounce.velocity_b == vec<2, double>{{0, 0}});
+static_assert(bounce.normal == vec<2, double>{{-1, 0}});
+
+// Law 7: flights of one since do what their balls do. Law 8: clocks may be set otherwise.
+constexpr ball<3> a{{{0, 0, 0}}, {{1, 0.5, 0}}, 1}, b{{{6, 2, 1}}, {{-1, 0, 0.25}}, 1.5};
+static_assert(classify(flight<3>{a, 4}, flight<3>{b, 4}) == classify(a, b));
+static_assert(static_cast<double>(*time_of_impact(flight<3>{a, 0}, flight<3>{b, 0})) ==
+              static_cast<double>(*time_of_impact(a, b)));
+static_assert(*time_of_impact(flight<3>{a, 4}, flight<3>{b, 5}) < *time_of_impact(flight<3>{a, 5}, flight<3>{b, 6}));
+static_assert(collide(flight<3>{a, 4}, flight<3>{b, 5})->velocity_a ==
+              collide(flight<3>{a, 5}, flight<3>{b, 6})->velocity_a);
+
+} // namespace
