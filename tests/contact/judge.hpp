@@ -21,27 +21,12 @@ struct verdict {
     std::string tied; // the components that are exactly in the middle between two numbers
 };
 
-// Whether x, which is rounded to y, is exactly in the middle between y and a neighbour of it.
-template <class T>
-bool is_tie(const oracle::surd& x, T y) {
-    const int sign = oracle::sign_of(x);
-    const oracle::surd magnitude{sign * x.p, sign * x.q, x.d, x.r};
-    const T size = std::fabs(y);
-    for (const T to : {T(0), std::numeric_limits<T>::infinity()}) {
-        const T next = std::nextafter(size, to);
-        const mpq_class middle = (oracle::magnitude_of(size) + oracle::magnitude_of(next)) / 2;
-        if (sign != 0 && next != size && oracle::compare(magnitude, middle) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 template <class T>
 void component(verdict& v, const char* name, const oracle::surd& x, T y) {
     ++v.components;
-    v.tied += is_tie(x, y) ? std::string(name) + " " : "";
-    if (!oracle::is_rounded(x, y)) {
+    const oracle::verdict found = oracle::judged(x, y);
+    v.tied += found == oracle::verdict::tied ? std::string(name) + " " : "";
+    if (found == oracle::verdict::wrong) {
         v.wrong += std::string(v.wrong.empty() ? "" : ", ") + name;
     }
 }

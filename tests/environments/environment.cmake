@@ -1,7 +1,8 @@
 # cmake -D NAME=... -D COMPILER=... -D FLAGS=... -D LEVEL=0|1|2 -D QUESTIONS=file -D WORK=directory -D ROOT=source-tree
-#   [-D EMULATOR=...] [-D PRELOAD=flags of a library to load first] -P environment.cmake
-# One environment: compiles the checker, if it is older than what it is made of, and lets it answer the questions. What
-# is not there is reported as SKIPPED. The outcome is kept in WORK/NAME.result for the table.
+#   [-D EMULATOR=...] [-D PRELOAD=flags of a library to load first] [-D "CONTACTS=count most"] -P environment.cmake
+# One environment: compiles the checker, if it is older than what it is made of, and lets it answer the questions; with
+# CONTACTS the one that compares hashes of contacts with those of the file. What is not there is reported as SKIPPED. The
+# outcome is kept in WORK/NAME.result for the table.
 cmake_policy(VERSION 3.25)
 separate_arguments(FLAGS)
 separate_arguments(EMULATOR)
@@ -15,7 +16,7 @@ endmacro()
 
 if(NOT EXISTS "${QUESTIONS}")
     finish("skipped: no questions, which need GMP")
-    message("SKIPPED: the questions are missing; the oracle that writes them needs GMP")
+    message("SKIPPED: ${QUESTIONS} is missing; the oracle that writes them needs GMP")
     return()
 endif()
 
@@ -52,14 +53,19 @@ foreach(file IN LISTS made_of)
 endforeach()
 finish("does not compile")
 if(is_old)
-    foreach(source IN ITEMS check state callers balls walls times)
+    set(names check state callers balls walls times)
+    if(CONTACTS)
+        set(names contacts contact_hash state)
+    endif()
+    foreach(source IN LISTS names)
         list(APPEND sources "${here}/${source}.cpp")
     endforeach()
     execute_process(COMMAND "${COMPILER}" -std=c++20 ${FLAGS} "-DGRAZE_ENVIRONMENT_LEVEL=${LEVEL}" "-I${ROOT}/include"
         ${sources} -o "${program}" COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endif()
 
-set(arguments "${QUESTIONS}")
+separate_arguments(CONTACTS)
+set(arguments "${QUESTIONS}" ${CONTACTS})
 if(PRELOAD)
     separate_arguments(PRELOAD)
     set(library "${WORK}/${NAME}.library.so")

@@ -28,23 +28,25 @@ struct lane_contact {
     exact_pair<double> R;
 };
 
-// Takes the normal and the velocities. error_of_n: of the normal. spread: at least the relative error of φ + 74 u².
+// Takes the normal and the velocities. error_of_n: of the normal. spread: at least the relative error of φ + 94 u².
 //
-// φ = 2 (s/R)/(m_a + m_b) m has a relative error of at most that of s + 17.5 u² + 4.1 u² + 17.5 u² + 17 u² + 14 u² <=
-// that of s + 71 u², and a low part of at most 9 u of it.
+// φ = 2 (s/R)/(m_a + m_b) m has a relative error of at most that of s + 12.2 u² + 9.2 u² (of 1/R) + 24.9 u² + 9.2 u² +
+// 15.4 u² <= that of s + 71 u², and a low part of at most 9 u of it.
 template <bool Fused, int N, class T, class F>
 [[gnu::always_inline]] inline void bound_impact(const ball<N, T>& a, const ball<N, T>& b, double mass_a, double mass_b,
                                                 const lane_contact<Fused>& y, const exact_pair<double>& s,
                                                 double error_of_n, double spread, F& take) noexcept {
     const auto masses = two_sum(mass_a, mass_b);
-    const auto inverse = inverse_of<Fused>({lanes{y.R.value, masses.value}, lanes{y.R.error, masses.error}});
+    const auto inverse =
+        inverse_of<Fused>(exact_pair<lanes>{lanes{y.R.value, masses.value}, lanes{y.R.error, masses.error}});
     const auto per_length = picked(inverse.high, 0, 0);
     const auto n01 = normal_of(y.y01, y.low01, per_length, both(inverse.low[0]));
     const auto n_2 = normal_of(y.y2, y.low2, per_length, both(inverse.low[0]));
     take(bounded<lanes>{n01.high.value, n01.low, both(error_of_n + underflow)}, 7, 8);
 
     const auto per_radius = times(s, picked(inverse.high, 0), inverse.low[0]);
-    const auto per_mass = times({2 * per_radius.value, 2 * per_radius.error}, picked(inverse.high, 1), inverse.low[1]);
+    const auto per_mass =
+        times(exact_pair<double>{2 * per_radius.value, 2 * per_radius.error}, picked(inverse.high, 1), inverse.low[1]);
     const lanes shares{mass_b, -mass_a};
     const auto product = two_product(as_factor<Fused>(both(per_mass.value)), as_factor<Fused>(shares));
     const auto phi = as_factor<Fused>(product.value);
@@ -90,7 +92,7 @@ template <bool Fused, int N, class T, class F>
 // y = Δx exactly, |yl| <= u |yh|. The low terms of |Δx|² add up to at most 5.1 u |Δx|², with at most 6 roundings each,
 // so that it is right to 31 u², relatively. One correction of the root in doubles leaves 15.5 u² of that, 6.3 u² of the
 // next term, (7.1 u)²/8, and 8 u² of roundings: R = |Δx| is right to 30 u². The normal is then right to 8.3 u² + 4.2 u²
-// + 9.2 u² + 30 u² < 2^-100; s to 32 u² R V/s; and χ = R V/s >= 1, so that 32 u² χ + 30 u² + 71 u² + 74 u² <= 2^-98 χ².
+// + 9.2 u² + 30 u² < 2^-100; s to 32 u² R V/s; and χ = R V/s >= 1, so that 32 u² χ + 30 u² + 71 u² + 94 u² <= 2^-98 χ².
 template <bool Fused, int N, class T, class F>
 [[nodiscard, gnu::always_inline]] inline bool bound_overlap(const ball<N, T>& a, const ball<N, T>& b, double mass_a,
                                                             double mass_b, F& take) noexcept {

@@ -1,7 +1,7 @@
 // When, where and how a ball meets a plane or a wall and leaves it, every number correctly rounded.
 #pragma once
 
-#include <graze/contact/fast_face.hpp>
+#include <graze/contact/fast_wall.hpp>
 #include <graze/contact/round_walls.hpp>
 #include <graze/predicate/classify_walls.hpp>
 
@@ -78,9 +78,8 @@ contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, 
     }
     parts wanted = all_parts;
     if constexpr (has_error_free_doubles) {
-        if (!std::is_constant_evaluated() && found.what == encounter::hit && found.where == feature::face &&
-            rounds_to_nearest()) {
-            wanted = fast_face(*c, b, shape, clock);
+        if (!std::is_constant_evaluated() && rounds_to_nearest()) {
+            wanted = fast_wall(pair, *c, found.what, found.index, b, shape, clock);
         }
     }
     if (wanted != 0) {

@@ -23,14 +23,22 @@ struct wall_motion {
     std::array<vec<N, M>, N - 1> side;
 };
 
+template <int N, class E, std::size_t Edges>
+[[nodiscard]] constexpr auto face_normal(const std::array<vec<N, E>, Edges>& e) {
+    if constexpr (N == 2) {
+        return vec<2, E>{{E(-e[0][1]), E(e[0][0])}};
+    } else {
+        return graze::cross(e[0], e[1]);
+    }
+}
+
 template <int N, class X, class U, class E, class S>
 [[nodiscard]] constexpr auto wall_motion_of(const vec<N, X>& w, const vec<N, U>& u,
                                             const std::array<vec<N, E>, N - 1>& e, const S& r) {
+    const auto n = face_normal(e);
     if constexpr (N == 2) {
-        const vec<2, E> n{{E(-e[0][1]), E(e[0][0])}};
         return wall_motion<2, X, U, E, S, E, E>{w, u, e, r, n, {e[0]}};
     } else {
-        const auto n = graze::cross(e[0], e[1]);
         const auto side0 = graze::cross(e[1], n);
         const auto side1 = graze::cross(n, e[0]);
         using NN = std::remove_cvref_t<decltype(n[0])>;
@@ -58,25 +66,40 @@ struct wall_view {
     bool swapped = false;
 };
 
-template <int N, class X, class U, class E, class S, class NN, class M>
-[[nodiscard]] constexpr auto seen_from(const wall_motion<N, X, U, E, S, NN, M>& m, wall_view view) {
-    const auto far = [&](int i) { return (view.corner >> i & 1) != 0; };
+// The view's edges, from those of the wall.
+template <int N, class E, std::size_t Edges>
+[[nodiscard]] constexpr auto edges_seen_from(const std::array<vec<N, E>, Edges>& e, wall_view view) {
     const auto edge = [&](int i) {
-        const vec<N, E>& vector = m.e[static_cast<std::size_t>(i)];
-        return make_vec<N>([&](int k) { return far(i) ? E(-vector[k]) : vector[k]; });
-    };
-    const auto offset = [&](int i) {
-        const vec<N, E>& vector = m.e[static_cast<std::size_t>(i)];
-        return make_vec<N>([&](int k) { return far(i) ? vector[k] : E(0); });
+        const vec<N, E>& vector = e[static_cast<std::size_t>(i)];
+        const bool far = (view.corner >> i & 1) != 0;
+        return make_vec<N>([&](int k) { return far ? E(-vector[k]) : vector[k]; });
     };
     if constexpr (N == 2) {
-        return wall_motion_of(m.w - offset(0), m.u, std::array<vec<2, E>, 1>{edge(0)}, m.r);
+        return std::array<vec<2, E>, 1>{edge(0)};
     } else {
-        return wall_motion_of(m.w - offset(0) - offset(1), m.u,
-                              view.swapped ? std::array<vec<3, E>, 2>{edge(1), edge(0)}
-                                           : std::array<vec<3, E>, 2>{edge(0), edge(1)},
-                              m.r);
+        return view.swapped ? std::array<vec<3, E>, 2>{edge(1), edge(0)} : std::array<vec<3, E>, 2>{edge(0), edge(1)};
     }
+}
+
+// The centre from the view's corner: w less the edges that lead there.
+template <int N, class X, class E, std::size_t Edges>
+[[nodiscard]] constexpr auto centre_seen_from(const vec<N, X>& w, const std::array<vec<N, E>, Edges>& e,
+                                              wall_view view) {
+    const auto offset = [&](int i) {
+        const vec<N, E>& vector = e[static_cast<std::size_t>(i)];
+        const bool far = (view.corner >> i & 1) != 0;
+        return make_vec<N>([&](int k) { return far ? vector[k] : E(0); });
+    };
+    if constexpr (N == 2) {
+        return w - offset(0);
+    } else {
+        return w - offset(0) - offset(1);
+    }
+}
+
+template <int N, class X, class U, class E, class S, class NN, class M>
+[[nodiscard]] constexpr auto seen_from(const wall_motion<N, X, U, E, S, NN, M>& m, wall_view view) {
+    return wall_motion_of(centre_seen_from(m.w, m.e, view), m.u, edges_seen_from(m.e, view), m.r);
 }
 
 // w·side_i - far n·n: negative where λ_i < far (far is 0 or 1).

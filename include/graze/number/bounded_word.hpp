@@ -10,21 +10,28 @@ namespace graze::detail {
 // |exact - value| <= error. The bounds of double_word's operations (3u² + 13u³ < 2^-103, 7u² < 2^-102, 15u² + 56u³ <
 // 2^-101, 25/8 u² < 2^-103) leave room for the roundings of the error itself, which are below 2^-50 of it. What
 // underflows loses less than 2^-1040 in a product, and in a quotient by at least 2^-400 less than 2^-600. An error of 0
-// is kept by products with an exact 0.
+// is kept by products with an exact 0, by sums and products of two doubles, and by quotients and roots that are
+// doubles.
 class bounded_word {
   public:
     constexpr bounded_word() = default;
-    explicit bounded_word(int x) noexcept : value_(x) {}
+    explicit(false) bounded_word(int x) noexcept : value_(x) {}
     explicit bounded_word(double x) noexcept : value_(x) {}
-    // x - y.
-    [[nodiscard]] static bounded_word difference(double x, double y) noexcept { return {double_word::sum(x, -y), 0.0}; }
+    // Any number.
+    [[nodiscard]] static bounded_word unknown() noexcept {
+        return {double_word(1), std::numeric_limits<double>::infinity()};
+    }
 
     [[nodiscard]] const double_word& value() const noexcept { return value_; }
     [[nodiscard]] double error() const noexcept { return error_; }
     [[nodiscard]] bool has_certain_sign() const noexcept { return size() > 2 * error_; }
+    [[nodiscard]] bool is_zero() const noexcept { return value_.high() == 0 && error_ == 0; }
 
     [[nodiscard]] friend bounded_word operator-(const bounded_word& x) noexcept { return {-x.value_, x.error_}; }
     [[nodiscard]] friend bounded_word operator+(const bounded_word& x, const bounded_word& y) noexcept {
+        if (x.is_double() && y.is_double()) {
+            return {double_word::sum(x.value_.high(), y.value_.high()), 0.0};
+        }
         const bounded_word sum{x.value_ + y.value_, slack * (x.error_ + y.error_)};
         return {sum.value_, sum.error_ + 0x1p-103 * sum.size()};
     }
@@ -34,6 +41,10 @@ class bounded_word {
     [[nodiscard]] friend bounded_word operator*(const bounded_word& x, const bounded_word& y) noexcept {
         if (x.is_zero() || y.is_zero()) {
             return {};
+        }
+        if (x.is_double() && y.is_double()) {
+            const bounded_word exact{double_word::product(x.value_.high(), y.value_.high()), 0.0};
+            return {exact.value_, exact.size() > 0x1p-900 ? 0.0 : 0x1p-1040};
         }
         const bounded_word product{x.value_ * y.value_,
                                    slack * (x.size() * y.error_ + (y.size() + y.error_) * x.error_)};
@@ -48,6 +59,9 @@ class bounded_word {
             return {};
         }
         const bounded_word quotient{x.value_ / y.value_, 0.0};
+        if (x.is_double() && y.is_double() && quotient.is_double() && quotient.size() > 0x1p-500) {
+            return quotient; // a remainder would be in the lower half
+        }
         const double moved = slack * (x.error_ + quotient.size() * y.error_) / (y.size() - y.error_);
         return {quotient.value_, slack * moved + (0x1p-101 * quotient.size() + 0x1p-600)};
     }
@@ -57,6 +71,9 @@ class bounded_word {
             return unknown();
         }
         const bounded_word root{sqrt(x.value_), 0.0};
+        if (x.is_double() && root.is_double()) {
+            return root;
+        }
         return {root.value_, slack * x.error_ / root.size() + (0x1p-103 * root.size() + 0x1p-600)};
     }
 
@@ -64,10 +81,7 @@ class bounded_word {
     static constexpr double slack = 1 + 0x1p-40;
 
     bounded_word(const double_word& value, double error) noexcept : value_(value), error_(error) {}
-    [[nodiscard]] static bounded_word unknown() noexcept {
-        return {double_word(1), std::numeric_limits<double>::infinity()};
-    }
-    [[nodiscard]] bool is_zero() const noexcept { return value_.high() == 0 && error_ == 0; }
+    [[nodiscard]] bool is_double() const noexcept { return value_.low() == 0 && error_ == 0; }
     [[nodiscard]] double size() const noexcept { return value_.high() < 0 ? -value_.high() : value_.high(); }
 
     double_word value_;

@@ -2,7 +2,8 @@
 // doubles, with the residual |Δx + Δu t|² - R² from error-free transforms.
 //
 // u = 2^-53, doubles rounded to nearest. The values that are not error-free are low parts, where a rounding costs u²;
-// whether a sum of theirs is contracted or reordered makes no difference to the counts of roundings below.
+// whether a sum of theirs is contracted or reordered makes no difference to the counts of roundings below, which
+// proofs/contact/parts.cpp derives from these steps.
 #pragma once
 
 #include <graze/filter/static_filter.hpp>
@@ -34,23 +35,37 @@ template <int N, class T>
 }
 
 // Δx + Δu t0 in two lanes, with what the next steps need of it.
-template <bool Fused>
+template <bool Fused, class V = lanes>
 struct lane_displacement {
-    factor<lanes, Fused> high; // yh
-    lanes low;                 // yl: y = yh + yl
-    factor<lanes, Fused> du;   // Δu's value
+    factor<V, Fused> high; // yh
+    V low;                 // yl: y = yh + yl
+    factor<V, Fused> du;   // Δu's value
 };
 
 // With m = |Δx| + |Δu| t0 lane by lane, of values: |yl| <= 3.02 u m, and the error of yh + yl is at most 7.01 u² m: the
 // exact y is yh + the errors of the sum, the product and Δx + (the error of Δu) t0, which are at most u m, u |Δu| t0, u
 // |Δx| and u |Δu| t0; the four roundings in adding them up cost u² (|Δu| t0 + m + (m + |Δu| t0) + (2m + |Δu| t0)).
-template <bool Fused>
-[[nodiscard, gnu::always_inline]] inline lane_displacement<Fused>
-displacement(const exact_pair<lanes>& dx, const exact_pair<lanes>& du, const factor<lanes, Fused>& t0) noexcept {
+template <bool Fused, class V>
+[[nodiscard, gnu::always_inline]] constexpr inline lane_displacement<Fused, V>
+displacement(const exact_pair<V>& dx, const exact_pair<V>& du, const factor<V, Fused>& t0) noexcept {
     const auto speed = as_factor<Fused>(du.value);
     const auto way = two_product(speed, t0);
     const auto sum = two_sum(dx.value, way.value);
     return {as_factor<Fused>(sum.value), sum.error + (way.error + (dx.error + du.error * t0.value)), speed};
+}
+
+// |y|² - R², y2's first lane R, in two lanes of a value and a low part each.
+template <bool Fused, class V>
+[[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
+distance_residual(const lane_displacement<Fused, V>& y01, const lane_displacement<Fused, V>& yR2) noexcept {
+    const auto square01 = two_square(y01.high);
+    const auto squareR2 = two_square(yR2.high);
+    const auto low_terms = [](const auto& y, const exact_pair<V>& square) __attribute__((always_inline)) {
+        return V(square.error + y.low * (y.high.value + y.high.value + y.low));
+    };
+    const V less_R{-1, 1};
+    const auto sum = two_sum(square01.value, V(less_R * squareR2.value));
+    return {sum.value, sum.error + (low_terms(y01, square01) + less_R * low_terms(yR2, squareR2))};
 }
 
 // τ = t0 + t1 with an error of at most `error`, if good.
@@ -78,8 +93,8 @@ struct fast_approach {
 //   the low terms of f add up to at most u (1 + 1 + 2.02 + 2.01) R² + 2.01·3.02 u |m| R <= 18.1 u L R (errors of the
 //     squares, of R², of the sums, R's error, and yl (2 yh + yl)), with at most 6 roundings each: 109 u² L R; y's error
 //     makes 2.01 R·7.01 u² |m| <= 32 u² L R; the difference that cancels adds 18 u² L R and, with f's last rounding, 2
-//     u |f|. Together |f̂ - f| <= 113 u² L² + 2 u |f|;
-//   |τ - t0 - t1| <= (113 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
+//     u |f|. Together |f̂ - f| <= 116 u² L² + 2 u |f|;
+//   |τ - t0 - t1| <= (116 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
 //   0.51
 //     γ: below error := (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included.
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
@@ -94,15 +109,8 @@ template <bool Fused>
     r.t0 = as_factor<Fused>(both(time));
     r.y01 = displacement(m.x01, m.u01, r.t0);
     r.yR2 = displacement(m.xR2, m.u_2, r.t0);
-    const auto square01 = two_square(r.y01.high);
-    const auto squareR2 = two_square(r.yR2.high);
-    const auto low_terms = [](const auto& y, const exact_pair<lanes>& square) __attribute__((always_inline)) {
-        return lanes(square.error + y.low * (y.high.value + y.high.value + y.low));
-    };
-    const lanes less_R{-1, 1};
-    const auto sum = two_sum(square01.value, less_R * squareR2.value);
-    const lanes low = sum.error + (low_terms(r.y01, square01) + less_R * low_terms(r.yR2, squareR2));
-    const double residual = settled(settled(sum.value[0] + sum.value[1]) + (low[0] + low[1]));
+    const auto f = distance_residual(r.y01, r.yR2);
+    const double residual = settled(settled(f.value[0] + f.value[1]) + (f.error[0] + f.error[1]));
 
     const lanes along01 = r.y01.high.value * m.u01.value;
     const double sigma = -(along01[0] + along01[1] + r.yR2.high.value[1] * m.u_2.value[1]);

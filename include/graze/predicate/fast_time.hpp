@@ -1,9 +1,9 @@
-// The time of two balls rounded by doubles alone, where that leaves no doubt.
+// An event's time rounded by doubles alone, where that leaves no doubt.
 #pragma once
 
 #include <graze/number/fused.hpp>
 #include <graze/number/rounding.hpp>
-#include <graze/predicate/event.hpp>
+#include <graze/predicate/bounded_time.hpp>
 #include <graze/predicate/fast_approach.hpp>
 
 #include <optional>
@@ -53,7 +53,10 @@ struct time_by_doubles {
 template <class T, int N, class U>
 [[nodiscard]] inline std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
     if constexpr (has_error_free_doubles && !std::is_same_v<U, std::int64_t>) {
-        if (e.kind == event_kind::balls && rounds_to_nearest()) {
+        if (!rounds_to_nearest()) {
+            return std::nullopt;
+        }
+        if (e.kind == event_kind::balls) {
             const auto vector = [&](std::size_t from) {
                 return make_vec<N>([&](int i) { return e.row[from + static_cast<std::size_t>(i)]; });
             };
@@ -63,6 +66,11 @@ template <class T, int N, class U>
             const auto found = with_best_products(time_by_doubles<N, U>{a, b, time});
             if (found.good) {
                 return rounded_without_doubt<T>(found.time, mode);
+            }
+        } else {
+            const bounded<double> found = as_bounds(hit_time(e));
+            if (absolute(found.high) > 0x1p-500) {
+                return rounded_without_doubt<T>(found, mode);
             }
         }
     }

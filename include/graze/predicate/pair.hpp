@@ -93,17 +93,27 @@ struct ball_and_wall {
         row[lengths - 1] = b.radius;
     }
 
+    template <class I>
+    struct shapes {
+        graze::ball<N, I> ball;
+        graze::wall<N, I> wall;
+    };
     template <class I, class Inputs>
-    [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
+    [[nodiscard]] static constexpr shapes<I> shapes_of(const Inputs& in) noexcept {
         const auto vector = [](const auto& group, std::size_t from) {
             return make_vec<N>([&](int i) { return group.template get<I>(from + static_cast<std::size_t>(i)); });
         };
-        wall<N, I> w{vector(in.length, n), {}};
+        shapes<I> s{{vector(in.length, 0), vector(in.velocity, 0), in.length.template get<I>(lengths - 1)},
+                    {vector(in.length, n), {}}};
         for (std::size_t k = 0; k + 1 < n; ++k) {
-            w.edge[k] = vector(in.length, (2 + k) * n);
+            s.wall.edge[k] = vector(in.length, (2 + k) * n);
         }
-        return relative_motion_of(
-            ball<N, I>{vector(in.length, 0), vector(in.velocity, 0), in.length.template get<I>(lengths - 1)}, w);
+        return s;
+    }
+    template <class I, class Inputs>
+    [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
+        const auto s = shapes_of<I>(in);
+        return relative_motion_of(s.ball, s.wall);
     }
 };
 

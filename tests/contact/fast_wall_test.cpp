@@ -1,0 +1,103 @@
+// The fast path of contacts with planes and walls against the integers: what it is certain of are the same bits, and it
+// is certain of nearly everything where nothing is degenerate.
+#include "../soak/soak.hpp"
+
+#include <graze/contact/collide.hpp>
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+namespace {
+
+using graze::detail::parts;
+
+struct seen {
+    int contacts = 0, certain = 0, wrong = 0; // certain: of all components
+};
+
+template <int N, class T>
+std::vector<T> listed(const graze::wall_contact<N, T>& c) {
+    std::vector<T> list{c.time};
+    for (const auto* v : {&c.position, &c.point, &c.normal, &c.velocity}) {
+        for (int i = 0; i < 3; ++i) {
+            list.push_back(i < N ? (*v)[i] : T(0));
+        }
+    }
+    return list;
+}
+
+template <class P, int N, class T, class Shape>
+void look(P pair, seen& s, const graze::wall_encounter& found, const graze::ball<N, T>& b, const Shape& shape) {
+    if (!graze::is_collision(found.what)) {
+        return;
+    }
+    graze::wall_contact<N, T> fast;
+    fast.feature = found.where;
+    fast.velocity = b.velocity;
+    if (found.what == graze::encounter::overlap) {
+        fast.position = graze::detail::with_plain_zeros(b.position);
+    }
+    graze::wall_contact<N, T> exact = fast;
+    const parts open_parts =
+        graze::detail::fast_wall(pair, fast, found.what, found.index, b, shape, graze::detail::own_clock{});
+    graze::detail::complete(pair, exact, graze::detail::all_parts, found.what, found.index, b, shape);
+    const auto x = listed(fast), y = listed(exact);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const bool is_open = (open_parts >> i & 1U) != 0;
+        s.wrong += is_open || graze::detail::bits_of(x[i]) == graze::detail::bits_of(y[i]) ? 0 : 1;
+    }
+    ++s.contacts;
+    s.certain += open_parts == 0 ? 1 : 0;
+}
+
+template <int N, class T>
+graze::vec<N, T> to(const graze::vec<N, double>& x) {
+    return graze::make_vec<N>([&](int i) { return static_cast<T>(x[i]); });
+}
+
+template <int N, class T>
+seen look_at(const families::family& family, std::uint64_t count) {
+    seen s;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto pair = family.draw<N>(13, i);
+        const graze::ball<N, T> b{to<N, T>(pair.a.position), to<N, T>(pair.a.velocity), static_cast<T>(pair.a.radius)};
+        if (pair.kind == families::pair_kind::ball_plane) {
+            const graze::plane<N, T> p{to<N, T>(pair.plane.point), to<N, T>(pair.plane.normal)};
+            look(graze::detail::ball_and_plane<N>{}, s, {graze::classify(b, p), graze::feature::face, 0}, b, p);
+        } else if (pair.kind == families::pair_kind::ball_wall) {
+            graze::wall<N, T> w{to<N, T>(pair.wall.corner), {}};
+            for (std::size_t k = 0; k < w.edge.size(); ++k) {
+                w.edge[k] = to<N, T>(pair.wall.edge[k]);
+            }
+            look(graze::detail::ball_and_wall<N>{}, s, graze::detail::decide_wall(b, w, [](graze::stage) {}), b, w);
+        }
+    }
+    return s;
+}
+
+// Of which integers are needed for next to nothing.
+bool is_plain(const families::family& family) {
+    return family.name == "edges_and_corners" || family.name == "borders" || family.name == "two_walls" ||
+           family.name == "generic_wall";
+}
+
+void check(const families::family& family, const seen& s) {
+    CHECK(s.wrong == 0);
+    if (is_plain(family)) {
+        CHECK(s.contacts > 50);
+        CHECK(10 * s.certain > 9 * s.contacts);
+    }
+}
+
+} // namespace
+
+TEST_CASE("what is certain without integers is what integers say") {
+    for (const families::family& family : soak::families_drawn) {
+        CAPTURE(family.name);
+        check(family, look_at<3, double>(family, 300));
+        if (is_plain(family)) {
+            check(family, look_at<2, float>(family, 300));
+        }
+    }
+}
