@@ -57,6 +57,8 @@ class checker {
             ++wrong_;
         }
         pairs_ += count;
+        contacts_ += t.contacts;
+        by_doubles_ += t.by_doubles;
     }
 
     void write(const char* path) const {
@@ -68,14 +70,15 @@ class checker {
         }
     }
     [[nodiscard]] bool report() const {
-        std::printf("total %lu %d\n", static_cast<unsigned long>(pairs_), wrong_);
+        const auto number = [](std::uint64_t n) { return static_cast<unsigned long>(n); };
+        std::printf("total %lu %lu %lu %lu\n", number(pairs_), number(by_doubles_), number(contacts_ - by_doubles_),
+                    number(wrong_));
         return wrong_ == 0 && pairs_ != 0;
     }
 
   private:
     hashes expected_, found_;
-    std::uint64_t pairs_ = 0;
-    int wrong_ = 0;
+    std::uint64_t pairs_ = 0, contacts_ = 0, by_doubles_ = 0, wrong_ = 0;
 };
 
 int run(const char* path, std::uint64_t count, std::uint64_t most, std::string_view option) {
