@@ -85,7 +85,7 @@ bounded_position(const lanes& x, const lanes& u, const lane_time<Fused>& t, doub
 //
 // The bounds of bound_hit hold with the length for L, since Δx's own error, 8.1 u² of it, is a small part of what they
 // allow: y/R is off by at most (58.2 u² L + 1.87 |Δu| e)/R < 2.5 e a/σ; s by 84.1 u² L V + 1.5 V² e, relatively by 60.2
-// u² γ + 1.5 e a/σ, so that φ is by (60.2 + 71 · 0.51) u² γ + 1.5 e a/σ, and 74 u² <= 38 u² γ: in all less than 2^-98
+// u² γ + 1.5 e a/σ, so that φ is by (60.2 + 71 · 0.51) u² γ + 1.5 e a/σ, and 94 u² <= 48 u² γ: in all less than 2^-98
 // γ.
 template <bool Fused, int N, class T, class F>
 [[nodiscard, gnu::always_inline]] inline bool bound_hit(const flight<N, T>& a, const flight<N, T>& b, double mass_a,

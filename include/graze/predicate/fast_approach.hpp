@@ -100,7 +100,7 @@ struct fast_approach {
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
 //
 // length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
-// length2 more in f, 125 in place of 113, and error bounds it still.
+// length2 more in f, 128 in place of 116, and error bounds it still.
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m, double time,
                                                                             double length2) noexcept {

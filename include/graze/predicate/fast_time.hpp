@@ -49,14 +49,18 @@ struct time_by_doubles {
     }
 };
 
+// The time of a hit on a plane or a wall. Not inlined, so that the time of balls is.
+template <class T, int N, class U>
+[[nodiscard, gnu::noinline]] std::optional<T> round_fast_hit(const event<N, U>& e, rounding mode) noexcept {
+    const bounded<double> found = as_bounds(hit_time(e));
+    return absolute(found.high) > 0x1p-500 ? rounded_without_doubt<T>(found, mode) : std::nullopt;
+}
+
 // time: near that of the event, which is not an overlap. The inputs are doubles or numbers that doubles hold exactly.
 template <class T, int N, class U>
 [[nodiscard]] inline std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
     if constexpr (has_error_free_doubles && !std::is_same_v<U, std::int64_t>) {
-        if (!rounds_to_nearest()) {
-            return std::nullopt;
-        }
-        if (e.kind == event_kind::balls) {
+        if (e.kind == event_kind::balls && rounds_to_nearest()) {
             const auto vector = [&](std::size_t from) {
                 return make_vec<N>([&](int i) { return e.row[from + static_cast<std::size_t>(i)]; });
             };
@@ -67,11 +71,8 @@ template <class T, int N, class U>
             if (found.good) {
                 return rounded_without_doubt<T>(found.time, mode);
             }
-        } else {
-            const bounded<double> found = as_bounds(hit_time(e));
-            if (absolute(found.high) > 0x1p-500) {
-                return rounded_without_doubt<T>(found, mode);
-            }
+        } else if (e.kind != event_kind::balls && rounds_to_nearest()) {
+            return round_fast_hit<T>(e, mode);
         }
     }
     return std::nullopt;
