@@ -101,3 +101,26 @@ TEST_CASE("what is certain without integers is what integers say") {
         }
     }
 }
+
+TEST_CASE("constant expressions give the same bits, by integers alone") {
+    static constexpr graze::wall<3> w{{5, -3, -3}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};
+    static constexpr graze::ball<3> balls[] = {{{0, 0.3, 0.7}, {1, 0.1, -0.2}, 0.9},  // the face
+                                               {{0, 3.4, 0.7}, {1, 0.01, -0.2}, 0.9}, // an edge
+                                               {{0, 3.4, 3.3}, {1, 0, 0}, 0.9},       // a corner
+                                               {{4.5, 3.2, 0.1}, {1, 0.3, 0}, 0.9}};  // inside an edge
+    static constexpr graze::wall_contact<3> constant[] = {*graze::collide(balls[0], w), *graze::collide(balls[1], w),
+                                                          *graze::collide(balls[2], w), *graze::collide(balls[3], w)};
+    int by_doubles = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        CAPTURE(k);
+        const auto found =
+            graze::collide(balls[k], w, [&](graze::stage s) { by_doubles += s == graze::stage::filter ? 1 : 0; });
+        REQUIRE(found.has_value());
+        CHECK(found->feature == constant[k].feature);
+        const auto x = listed(*found), y = listed(constant[k]);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            CHECK(graze::detail::bits_of(x[i]) == graze::detail::bits_of(y[i]));
+        }
+    }
+    CHECK((by_doubles >= 1 || !graze::detail::has_error_free_doubles));
+}

@@ -11,15 +11,6 @@ namespace oracle {
 
 enum class direction { nearest, downward, upward };
 
-// |y| exactly; of an infinity, the power of two that follows the largest number.
-template <std::floating_point T>
-mpq_class magnitude_of(T y) {
-    if (std::isinf(y)) {
-        return mpq_class(mpz_class(1) << std::numeric_limits<T>::max_exponent);
-    }
-    return mpq_class(static_cast<double>(std::fabs(y)));
-}
-
 template <std::floating_point T>
 bool is_even(T y) {
     if constexpr (sizeof(T) == 4) {

@@ -142,17 +142,21 @@ void register_contacts() {
 }
 
 void print_contact_stages() {
-    std::printf("\nshare of contacts that integers are needed for, by family (of 4096 pairs each in the plane and in "
-                "space)\n");
+    std::printf(
+        "\nshare of contacts that integers are needed for, by the decision alone and by it or any number, by family "
+        "(of 4096 pairs each in the plane and in space)\n");
     for (const families::family& f : families::all_families) {
         const auto share = [&]<int N>() {
             double contacts = 0;
+            double decided_exactly = 0;
             double exact = 0;
             const auto count = [&](const auto& x, const auto& y) {
                 bool by_integers = false;
                 if (graze::collide(x, y, [&](graze::stage s) { by_integers = s == graze::stage::exact; })) {
                     ++contacts;
                     exact += by_integers ? 1 : 0;
+                    (void)graze::classify(x, y,
+                                          [&](graze::stage s) { decided_exactly += s == graze::stage::exact ? 1 : 0; });
                 }
             };
             for (std::uint64_t i = 0; i < 4096; ++i) {
@@ -169,7 +173,8 @@ void print_contact_stages() {
                     break;
                 }
             }
-            std::printf(" %6.0f contacts %6.2f %%", contacts, contacts > 0 ? 100 * exact / contacts : 0.0);
+            const auto percent = [&](double some) { return contacts > 0 ? 100 * some / contacts : 0.0; };
+            std::printf(" %6.0f contacts %6.2f %% %6.2f %%", contacts, percent(decided_exactly), percent(exact));
         };
         std::printf("  %-26.*s", static_cast<int>(f.name.size()), f.name.data());
         share.operator()<2>();
