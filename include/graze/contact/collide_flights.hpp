@@ -97,7 +97,7 @@ struct clock_of_flight {
                                                const ball<N, T>& b, const Shape& shape) const {
         if (has_time(wanted)) {
             const auto kind = std::is_same_v<P, ball_and_plane<N>> ? event_kind::plane : kind_of<N>(found.where);
-            const flight_event<N, T> e{event<N, T>(pair, b, shape, kind, found.index, false), {since, since}};
+            const flight_event<N, T> e(pair, b, shape, kind, found.index, false, since, since);
             c.time =
                 found.what == encounter::overlap ? start_of<T>({since, since}) : round_exactly<T>(e, rounding::nearest);
         }

@@ -31,6 +31,11 @@ struct flight_event {
     event<N, T> pair;
     std::array<T, 2> since;
 
+    template <class P, class Y>
+    constexpr flight_event(P, const ball<N, T>& x, const Y& y, event_kind kind, int index, bool at_start,
+                           const T& since_x, const T& since_y) noexcept
+        : pair(P{}, x, y, kind, index, at_start), since{since_x, since_y} {}
+
     [[nodiscard]] constexpr T start() const noexcept { return start_of(since); }
 };
 
@@ -105,28 +110,38 @@ template <bool Narrow, int N, class T>
     });
 }
 
+// The sign of the first time less the second, of two pairs of flights, where dense integers hold both; 2 where not.
+template <int N, class T>
+[[nodiscard]] constexpr int compare_narrow(const flight_event<N, T>& x, const flight_event<N, T>& y) {
+    using P = two_balls<N>;
+    auto inputs_x = lift_timed<P>(x.pair.row, x.since);
+    auto inputs_y = lift_timed<P>(y.pair.row, y.since);
+    const int unit = std::min(inputs_x.unit(), inputs_y.unit());
+    inputs_x.settle(unit);
+    inputs_y.settle(unit);
+    if (!is_narrow(inputs_x) || !is_narrow(inputs_y)) {
+        return 2;
+    }
+    const auto a = flights_in<narrow_flights>(inputs_x);
+    const auto b = flights_in<narrow_flights>(inputs_y);
+    return with_timed_quadratic<N, P>(x, a.motion(), a.start(), [&](const auto& q) {
+        return with_timed_quadratic<N, P>(y, b.motion(), b.start(), [&](const auto& s) { return root_order{}(q, s); });
+    });
+}
+
 // The sign of the first time less the second.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr int compare_exactly(const flight_event<N, T>& x, const flight_event<N, T>& y) {
+    if (x.pair.kind == event_kind::balls && y.pair.kind == event_kind::balls) {
+        if (const int order = compare_narrow(x, y); order != 2) {
+            return order;
+        }
+    }
     const int unit = std::min(unit_of(x), unit_of(y));
-    if (!is_narrow(x, unit) || !is_narrow(y, unit)) {
-        return root_order{}(timed_quadratic_of<false>(x, unit), timed_quadratic_of<false>(y, unit));
+    if (is_narrow(x, unit) && is_narrow(y, unit)) {
+        return root_order{}(timed_quadratic_of<true>(x, unit), timed_quadratic_of<true>(y, unit));
     }
-    if (x.pair.kind == event_kind::balls && y.pair.kind == event_kind::balls) { // in still narrower coefficients
-        using P = two_balls<N>;
-        const auto settled = [unit](const flight_event<N, T>& e) {
-            auto in = lift_timed<P>(e.pair.row, e.since);
-            in.settle(unit);
-            return flights_in<narrow_flights>(in);
-        };
-        const auto a = settled(x);
-        const auto b = settled(y);
-        return with_timed_quadratic<N, P>(x, a.motion(), a.start(), [&](const auto& q) {
-            return with_timed_quadratic<N, P>(y, b.motion(), b.start(),
-                                              [&](const auto& s) { return root_order{}(q, s); });
-        });
-    }
-    return root_order{}(timed_quadratic_of<true>(x, unit), timed_quadratic_of<true>(y, unit));
+    return root_order{}(timed_quadratic_of<false>(x, unit), timed_quadratic_of<false>(y, unit));
 }
 
 // The sign of the time less m, m finite.

@@ -83,10 +83,11 @@ class flight_time {
     // Two doubles between which it lies, at no cost. In a constant expression they tell nothing.
     [[nodiscard]] constexpr const detail::timed_enclosure& enclosure() const noexcept { return bounds_; }
 
-    // For time_of_impact.
+    // For time_of_impact: an event, by the arguments of its constructor, and its enclosure.
+    template <class... Event>
     constexpr flight_time(detail::impact_time_key, const detail::timed_enclosure& bounds,
-                          const detail::flight_event<N, T>& event) noexcept
-        : event_(event), bounds_(bounds) {}
+                          const Event&... arguments) noexcept
+        : event_(arguments...), bounds_(bounds) {}
 
   private:
     [[nodiscard]] constexpr T rounded(rounding mode) const {

@@ -42,9 +42,8 @@ template <int N, class T>
     if (!is_collision(what)) {
         return std::nullopt;
     }
-    return enclosed_exactly(flight_event<N, T>{
-        event<N, T>(two_balls<N>{}, a.state, b.state, event_kind::balls, 0, what == encounter::overlap),
-        {a.since, b.since}});
+    return enclosed_exactly(flight_event<N, T>(two_balls<N>{}, a.state, b.state, event_kind::balls, 0,
+                                               what == encounter::overlap, a.since, b.since));
 }
 
 } // namespace detail
@@ -67,12 +66,10 @@ time_of_impact(const flight<N, T>& a, const flight<N, T>& b, Observer&& observer
             const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
                                                 (constant::discriminant + 1.5 * constant::h) * f.scale);
             if (what != encounter::overlap && bounds.upper < detail::enclosure::unknown) [[likely]] {
-                const detail::flight_event<N, T> e{
-                    detail::event<N, T>(detail::two_balls<N>{}, a.state, b.state, detail::event_kind::balls, 0, false),
-                    {a.since, b.since}};
                 const auto start = static_cast<double>(detail::as_stored(a.since < b.since ? b.since : a.since));
-                return std::optional<flight_time<N, T>>(std::in_place, detail::impact_time_key{},
-                                                        detail::counted_from<T>(start, bounds), e);
+                return std::optional<flight_time<N, T>>(
+                    std::in_place, detail::impact_time_key{}, detail::counted_from<T>(start, bounds),
+                    detail::two_balls<N>{}, a.state, b.state, detail::event_kind::balls, 0, false, a.since, b.since);
             }
             return detail::time_of_impact_exactly(a, b);
         }
@@ -91,10 +88,9 @@ requires is_binary_input<T>
     if (!is_collision(what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(
-        detail::flight_event<N, T>{detail::event<N, T>(detail::ball_and_plane<N>{}, f.state, p,
-                                                       detail::event_kind::plane, 0, what == encounter::overlap),
-                                   {f.since, f.since}});
+    return detail::enclosed_exactly(detail::flight_event<N, T>(detail::ball_and_plane<N>{}, f.state, p,
+                                                               detail::event_kind::plane, 0, what == encounter::overlap,
+                                                               f.since, f.since));
 }
 
 // The exact time at which a flight touches a wall's face, edge or corner first; empty for recede and miss.
@@ -107,10 +103,9 @@ requires is_binary_input<T>
     if (!is_collision(found.what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(detail::flight_event<N, T>{
-        detail::event<N, T>(detail::ball_and_wall<N>{}, f.state, w, detail::kind_of<N>(found.where), found.index,
-                            found.what == encounter::overlap),
-        {f.since, f.since}});
+    return detail::enclosed_exactly(detail::flight_event<N, T>(detail::ball_and_wall<N>{}, f.state, w,
+                                                               detail::kind_of<N>(found.where), found.index,
+                                                               found.what == encounter::overlap, f.since, f.since));
 }
 
 } // namespace graze
