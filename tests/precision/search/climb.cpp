@@ -1,0 +1,177 @@
+#include "climb.hpp"
+
+#include "float_order.hpp"
+
+#include "../shrink.hpp"
+
+#include "../../../examples/families/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace search {
+
+namespace {
+
+using families::random;
+using row = std::vector<double>;
+
+// Only lengths and velocities beyond these are left to the family that a try starts from.
+constexpr std::int64_t widest = place_of(0x1p64), narrowest = place_of(0x1p-64);
+
+struct range {
+    std::int64_t low, high;
+};
+
+row numbers_of(const any_pair& p) {
+    return std::visit([](const auto& q) { return precision::numbers_of(q); }, p);
+}
+
+std::optional<double> score_of(const goal& g, any_pair& p, const row& numbers, allowance& left) {
+    if (left.spent()) {
+        return std::nullopt;
+    }
+    --left.evaluations;
+    std::visit([&](auto& q) { precision::set_numbers(q, numbers); }, p);
+    return g.score(p);
+}
+
+// About x, 2^bits to both sides, within the same sign: signs are changed by the climb. The masses stay.
+range about(double x, int bits) {
+    const std::int64_t at = place_of(x), reach = std::int64_t{1} << bits;
+    if (at == 0 || !std::isfinite(x)) {
+        return {at, at};
+    }
+    const std::int64_t size = at < 0 ? -at : at;
+    const std::int64_t low = std::max(size - reach, std::min(size, narrowest));
+    const std::int64_t high = std::min(size + reach, std::max(size, widest));
+    return at < 0 ? range{-high, -low} : range{low, high};
+}
+
+double drawn_from(const range& r, random& source) {
+    const auto width = static_cast<std::uint64_t>(r.high - r.low) + 1;
+    return at_place(r.low + static_cast<std::int64_t>(source.below(width)));
+}
+
+struct sample {
+    row numbers;
+    double score;
+};
+
+// The best of a few draws.
+std::optional<sample> best_of(const goal& g, any_pair& p, const std::vector<range>& box, random& source,
+                              allowance& left) {
+    constexpr int draws = 6;
+    std::optional<sample> best;
+    for (int i = 0; i < draws; ++i) {
+        row numbers;
+        for (const range& r : box) {
+            numbers.push_back(drawn_from(r, source));
+        }
+        const auto score = score_of(g, p, numbers, left);
+        if (score && (!best || *score > best->score)) {
+            best = sample{numbers, *score};
+        }
+    }
+    return best;
+}
+
+std::vector<double> changed(const row& numbers, std::size_t i) {
+    const double x = numbers[i];
+    const std::int64_t at = place_of(x);
+    std::vector<double> all;
+    for (int bit = 61; bit >= 0; --bit) { // from large changes to small ones
+        all.push_back(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ std::uint64_t{1} << bit));
+        for (const std::int64_t step : {std::int64_t{1} << bit, -(std::int64_t{1} << bit)}) {
+            if (bit < 53 && at + step <= last_place && at + step >= -last_place) {
+                all.push_back(at_place(at + step));
+            }
+        }
+    }
+    all.push_back(-x);
+    all.push_back(0);
+    all.insert(all.end(), numbers.begin(), numbers.end());
+    std::erase_if(all, [&](double y) { return !std::isfinite(y) || y == x; });
+    return all;
+}
+
+} // namespace
+
+std::optional<found> descend(const goal& g, const std::vector<precision::family>& families, std::uint64_t seed,
+                             std::uint64_t index, allowance& left) {
+    random source(seed ^ 0x7365617263680000U, index);
+    const auto& family = families[source.below(families.size())].pairs;
+    any_pair p = family[source.below(family.size())];
+    const row start = numbers_of(p);
+    const int bits = static_cast<int>(source.below(60));
+    std::vector<range> box;
+    for (const double x : start) {
+        box.push_back(source.one_in(4) ? range{place_of(x), place_of(x)} : about(x, bits));
+    }
+    std::optional<sample> best;
+    if (const auto score = score_of(g, p, start, left)) {
+        best = sample{start, *score};
+    }
+    for (std::size_t stuck = 0, turn = source.below(box.size()); stuck < box.size() && !left.spent(); ++turn) {
+        range& r = box[turn % box.size()];
+        if (r.low >= r.high) {
+            ++stuck;
+            continue;
+        }
+        stuck = 0;
+        const range whole = r;
+        const std::int64_t middle = whole.low + (whole.high - whole.low) / 2;
+        r = {whole.low, middle};
+        const auto low = best_of(g, p, box, source, left);
+        r = {middle + 1, whole.high};
+        const auto high = best_of(g, p, box, source, left);
+        const bool lower = low && (!high || low->score > high->score);
+        r = lower || (!high && source.one_in(2)) ? range{whole.low, middle} : r;
+        for (const auto& one : {low, high}) {
+            if (one && (!best || one->score > best->score)) {
+                best = one;
+            }
+        }
+    }
+    if (!best) {
+        return std::nullopt;
+    }
+    std::visit([&](auto& q) { precision::set_numbers(q, best->numbers); }, p);
+    return found{p, best->score, true};
+}
+
+void climb(const goal& g, found& at, allowance& left) {
+    row numbers = numbers_of(at.pair);
+    any_pair p = at.pair;
+    std::size_t unchanged = 0;
+    for (std::size_t i = 0; unchanged < numbers.size() && !left.spent(); i = (i + 1) % numbers.size()) {
+        ++unchanged;
+        const row before = numbers;
+        for (const double y : changed(before, i)) {
+            row candidate = numbers;
+            candidate[i] = y;
+            const auto score = score_of(g, p, candidate, left);
+            if (score && *score > at.score) {
+                at.score = *score;
+                numbers = candidate;
+                unchanged = 0;
+            }
+        }
+    }
+    std::visit([&](auto& q) { precision::set_numbers(q, numbers); }, at.pair);
+    at.climbing = unchanged < numbers.size();
+}
+
+found shrink(const goal& g, const found& f, double share) {
+    const bool is_share = g.what == aim::error || g.what == aim::fallback;
+    const double least = is_share ? share * f.score : f.score - 1;
+    found small = f;
+    small.pair = precision::shrunk(f.pair, [&](const any_pair& q) {
+        const auto score = g.score(q);
+        return score && *score >= least && g.is_found(*score) == g.is_found(f.score);
+    });
+    small.score = g.score(small.pair).value();
+    return small;
+}
+
+} // namespace search

@@ -1,0 +1,226 @@
+#include "kept.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace search {
+
+namespace {
+
+constexpr const char* const terms_mark = "# search:";
+constexpr const char* const pair_mark = "# found:";
+constexpr const char* const shrunk_mark = "# shrunk:";
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& w : words) {
+        text += (text.empty() ? "" : ",") + w;
+    }
+    return text;
+}
+
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> words;
+    std::istringstream in(text);
+    for (std::string w; std::getline(in, w, ',');) {
+        words.push_back(w);
+    }
+    return words;
+}
+
+// One line of names and values, `name=value name=value`.
+std::string line_of(const kept_file& f) {
+    std::ostringstream out;
+    out << terms_mark << " goal=" << f.of.goal << " figure=" << f.of.figure << " families=" << joined(f.of.families)
+        << " seed=" << f.of.seed << " evaluations=" << f.of.evaluations << " shard=" << f.of.shard << '/' << f.of.shards
+        << " next=" << f.next << " merged=" << (f.merged ? 1 : 0);
+    return out.str();
+}
+
+// Takes the values of names in order; std::runtime_error where one is missing.
+class values {
+  public:
+    explicit values(const std::string& line) : in_(line) {}
+    std::string text(const std::string& name) {
+        std::string word;
+        if (!(in_ >> word) || !word.starts_with(name + "=")) {
+            throw std::runtime_error("\"" + name + "=\" expected");
+        }
+        return word.substr(name.size() + 1);
+    }
+    std::uint64_t number(const std::string& name) { return to_number(name, text(name)); }
+    double real(const std::string& name) {
+        const std::string word = text(name);
+        try {
+            return std::stod(word);
+        } catch (const std::logic_error&) {
+            throw std::runtime_error(name + ": \"" + word + "\" is not a number");
+        }
+    }
+    static std::uint64_t to_number(const std::string& name, const std::string& word) {
+        std::size_t used = 0;
+        std::uint64_t number = 0;
+        try {
+            number = std::stoull(word, &used);
+        } catch (const std::logic_error&) {
+            used = 0;
+        }
+        if (used == 0 || used != word.size()) {
+            throw std::runtime_error(name + ": \"" + word + "\" is not a whole number");
+        }
+        return number;
+    }
+
+  private:
+    std::istringstream in_;
+};
+
+void read_terms(const std::string& line, kept_file& f) {
+    values v(line);
+    f.of.goal = v.text("goal");
+    f.of.figure = v.text("figure");
+    f.of.families = split(v.text("families"));
+    f.of.seed = v.number("seed");
+    f.of.evaluations = v.number("evaluations");
+    const std::string shard = v.text("shard");
+    const auto slash = shard.find('/');
+    f.of.shard = values::to_number("shard", shard.substr(0, slash));
+    f.of.shards = values::to_number("shard", slash == std::string::npos ? "" : shard.substr(slash + 1));
+    f.next = v.number("next");
+    f.merged = v.number("merged") != 0;
+}
+
+bool same_search(const terms& x, const terms& y) {
+    return x.goal == y.goal && x.figure == y.figure && x.families == y.families && x.seed == y.seed &&
+           x.evaluations == y.evaluations;
+}
+
+} // namespace
+
+void keep(std::vector<kept_pair>& pairs, kept_pair p) {
+    const std::string line = precision::to_line(p.at.pair);
+    std::erase_if(pairs, [&](const kept_pair& q) { return q.attempt == p.attempt && (q.partial || !p.partial); });
+    const auto same =
+        std::ranges::find_if(pairs, [&](const kept_pair& q) { return precision::to_line(q.at.pair) == line; });
+    if (same != pairs.end()) {
+        if (p.partial || (!same->partial && same->attempt < p.attempt)) {
+            return;
+        }
+        pairs.erase(same);
+    }
+    const auto place = std::ranges::find_if(pairs, [&](const kept_pair& q) {
+        return q.at.score < p.at.score || (q.at.score == p.at.score && q.attempt > p.attempt);
+    });
+    pairs.insert(place, std::move(p));
+    std::size_t whole = 0;
+    std::erase_if(pairs, [&](const kept_pair& q) { return !q.partial && ++whole > most_kept; });
+}
+
+std::string command_of(const terms& t) {
+    return "graze-search --goal " + t.goal + " --figure " + t.figure +
+           (t.families.empty() ? "" : " --families " + joined(t.families)) + " --seed " + std::to_string(t.seed) +
+           " --evaluations " + std::to_string(t.evaluations);
+}
+
+std::string text_of(const kept_file& file, const goal& g) {
+    std::ostringstream out;
+    out << "# Hard pairs that graze-search found for " << file.of.goal << " of " << file.of.figure << ".\n"
+        << line_of(file) << '\n';
+    for (const kept_pair& p : file.pairs) {
+        out << pair_mark << " try=" << p.attempt << " climbs=" << p.climbs << " climbing=" << (p.at.climbing ? 1 : 0)
+            << " partial=" << (p.partial ? 1 : 0) << " score=" << std::setprecision(17) << p.at.score << '\n'
+            << "# " << g.tell(p.at.score) << (p.at.climbing ? ", still climbing" : ", no changed bit is worse") << '\n'
+            << "# origin: " << p.origin << '\n'
+            << precision::to_line(p.at.pair) << '\n';
+        if (!p.shrunk.empty()) {
+            out << shrunk_mark << '\n' << p.shrunk << '\n';
+        }
+    }
+    return out.str();
+}
+
+void write(const std::filesystem::path& path, const kept_file& file, const goal& g) {
+    const std::filesystem::path draft = path.string() + ".new";
+    {
+        std::ofstream out(draft);
+        out << text_of(file, g);
+        out.flush();
+        if (!out) {
+            throw std::runtime_error(draft.string() + ": cannot be written");
+        }
+    }
+    std::filesystem::rename(draft, path);
+}
+
+kept_file read_kept(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    if (!in) {
+        throw std::runtime_error(path.string() + ": cannot be read");
+    }
+    kept_file f;
+    bool has_terms = false, is_shrunk = false, is_told = false;
+    std::string line, origin;
+    kept_pair next;
+    for (std::size_t number = 1; std::getline(in, line); ++number) {
+        try {
+            if (line.starts_with(terms_mark)) {
+                read_terms(line.substr(std::string(terms_mark).size()), f);
+                has_terms = true;
+            } else if (line.starts_with(pair_mark)) {
+                values v(line.substr(std::string(pair_mark).size()));
+                next.attempt = v.number("try");
+                next.climbs = v.number("climbs");
+                next.at.climbing = v.number("climbing") != 0;
+                next.partial = v.number("partial") != 0;
+                next.at.score = v.real("score");
+                is_told = true;
+                next.shrunk.clear();
+            } else if (line.starts_with("# origin: ")) {
+                next.origin = line.substr(10);
+            } else if (line.starts_with(shrunk_mark)) {
+                is_shrunk = true;
+            } else if (!line.empty() && !line.starts_with('#')) {
+                if (!is_told && !is_shrunk) {
+                    throw std::runtime_error("no line \"" + std::string(pair_mark) + "\" before the pair");
+                }
+                next.at.pair = precision::from_line(line);
+                if (is_told) {
+                    f.pairs.push_back(next);
+                } else if (!f.pairs.empty()) {
+                    f.pairs.back().shrunk = line;
+                }
+                is_shrunk = is_told = false;
+            }
+        } catch (const std::runtime_error& e) {
+            throw std::runtime_error(path.string() + ":" + std::to_string(number) + ": " + e.what());
+        }
+    }
+    if (!has_terms) {
+        throw std::runtime_error(path.string() + ": no line \"" + std::string(terms_mark) + "\": not a search's");
+    }
+    return f;
+}
+
+kept_file merged(const std::vector<kept_file>& files) {
+    kept_file all;
+    all.of = files.at(0).of;
+    all.of.shard = 0;
+    all.of.shards = 1;
+    all.merged = true;
+    for (const kept_file& f : files) {
+        if (!same_search(f.of, all.of)) {
+            throw std::runtime_error("merge: \"" + command_of(f.of) + "\" is another search than \"" +
+                                     command_of(all.of) + "\"");
+        }
+        for (const kept_pair& p : f.pairs) {
+            keep(all.pairs, p);
+        }
+        all.next = std::max(all.next, f.next);
+    }
+    return all;
+}
+
+} // namespace search

@@ -1,0 +1,8 @@
+#!/bin/sh
+# The same on the cores of one machine, or of several (--sshlogin), by GNU parallel. Given again, it goes on.
+#   sh tests/precision/search/parallel.sh 8
+set -eu
+shards=${1:-$(nproc)}
+parallel --halt never graze-search --goal error --figure time/lagrange.stable/double --tries 1000 \
+    --shard "{}/$shards" --out "found-{}.txt" ::: $(seq 0 $((shards - 1)))
+graze-search merge found.txt found-*.txt

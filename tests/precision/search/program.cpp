@@ -1,0 +1,160 @@
+// The command line of graze-search.
+#include "run.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+namespace search {
+
+namespace {
+
+std::atomic<bool> stop_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free); // a handler may set it
+
+void on_signal(int) { stop_asked = true; }
+
+struct options {
+    terms of;
+    std::string out = "found.txt", shard = "0/1";
+    std::uint64_t tries = 100, climbs = 1;
+    std::optional<std::uint64_t> attempt;
+    std::string merged_into;
+    std::vector<std::string> merged_from;
+};
+
+void split_shard(options& o) {
+    const auto slash = o.shard.find('/');
+    try {
+        std::size_t used = 0, used_after = 0;
+        const std::string before = o.shard.substr(0, slash),
+                          after = o.shard.substr(std::min(slash, o.shard.size() - 1) + 1);
+        o.of.shard = std::stoull(before, &used);
+        o.of.shards = std::stoull(after, &used_after);
+        if (used == before.size() && used_after == after.size() && o.of.shard < o.of.shards && before[0] != '-') {
+            return;
+        }
+    } catch (const std::logic_error&) { // told below
+    }
+    throw std::invalid_argument("--shard " + o.shard + ": i/n with 0 <= i < n expected");
+}
+
+int make_one_try(const options& o, const goal& g) {
+    const auto f = repeat(g, families_of(o.of), o.of, *o.attempt, o.climbs, &stop_asked);
+    if (!f || !g.is_found(f->score)) {
+        std::puts("nothing found");
+        return 1;
+    }
+    std::printf("# %s%s\n# origin: %s --try %ju --climbs %ju\n%s\n", g.tell(f->score).c_str(),
+                f->climbing ? ", still climbing" : ", no changed bit is worse", command_of(o.of).c_str(),
+                static_cast<std::uintmax_t>(*o.attempt), static_cast<std::uintmax_t>(o.climbs),
+                precision::to_line(f->pair).c_str());
+    return 0;
+}
+
+int search_on(const options& o, const goal& g) {
+    kept_file file;
+    file.of = o.of;
+    if (std::filesystem::exists(o.out)) {
+        file = read_kept(o.out);
+        if (file.merged || !(file.of == o.of)) {
+            throw std::runtime_error(o.out + ": holds what \"" + command_of(file.of) + "\"" +
+                                     (file.merged ? ", merged," : "") + " found; another --out is needed");
+        }
+    }
+    plan p;
+    p.tries = o.tries;
+    p.stop = &stop_asked;
+    p.saved = [&](const kept_file& f) { write(o.out, f, g); };
+    p.told = [](const std::string& line) {
+        std::puts(line.c_str());
+        std::fflush(stdout);
+    };
+    const bool done = go_on(file, g, families_of(o.of), p);
+    write(o.out, file, g);
+    if (!done) {
+        std::printf("stopped before try %ju of %ju; the same command goes on from %s\n",
+                    static_cast<std::uintmax_t>(file.next), static_cast<std::uintmax_t>(o.tries), o.out.c_str());
+        return 3;
+    }
+    if (file.pairs.empty()) {
+        std::puts("nothing found");
+        return 1;
+    }
+    const auto climbing = std::ranges::count_if(file.pairs, [](const kept_pair& k) { return k.at.climbing; });
+    std::printf("%zu kept in %s, the first: %s\n", file.pairs.size(), o.out.c_str(),
+                g.tell(file.pairs.front().at.score).c_str());
+    if (climbing != 0) {
+        std::printf("still climbing: %ju of them; the same command climbs on\n", static_cast<std::uintmax_t>(climbing));
+    }
+    return 0;
+}
+
+int merge(const options& o, const graze::precision::subjects& formulas) {
+    std::vector<kept_file> files;
+    for (const std::string& path : o.merged_from) {
+        files.push_back(read_kept(path));
+    }
+    const kept_file all = merged(files);
+    write(o.merged_into, all, goal_of(all.of, formulas));
+    std::printf("%zu of %zu files kept in %s\n", all.pairs.size(), files.size(), o.merged_into.c_str());
+    return 0;
+}
+
+int chosen(CLI::App& app, CLI::App& merging, options& o, const graze::precision::subjects& formulas) {
+    if (merging.parsed()) {
+        return merge(o, formulas);
+    }
+    if (o.of.figure.empty()) {
+        throw std::invalid_argument("--figure is needed; --help tells more");
+    }
+    static_cast<void>(app);
+    split_shard(o);
+    const goal g = goal_of(o.of, formulas);
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    return o.attempt ? make_one_try(o, g) : search_on(o, g);
+}
+
+} // namespace
+
+int run(int argc, char** argv, const graze::precision::subjects& formulas) {
+    CLI::App app{
+        "Looks for pairs that are worse for a formula than random ones: ranges of the inputs are halved in the "
+        "order of the floats and the worse half is kept, again from many starts; then bits are changed one by "
+        "one as long as that makes it worse; then the numbers are made simpler. What is found is kept in a "
+        "file that the precision suite reads. Stopped (SIGINT, SIGTERM) or out of tries, the same command "
+        "goes on.",
+        "graze-search"};
+    options o;
+    o.of.goal = "error";
+    app.add_option("--goal", o.of.goal,
+                   "error: largest; nearest, farthest: a wrong decision of two balls by its distance from the border; "
+                   "fallback: the most basic blocks executed")
+        ->capture_default_str();
+    app.add_option("--figure", o.of.figure, "quantity/variant/type, as time/lagrange.stable/double");
+    app.add_option("--families", o.of.families, "Start from these, separated by commas, instead of all")
+        ->delimiter(',');
+    app.add_option("--seed", o.of.seed, "Of the tries")->capture_default_str();
+    app.add_option("--evaluations", o.of.evaluations, "For one try")->capture_default_str();
+    app.add_option("--tries", o.tries, "Of all shards together")->capture_default_str();
+    app.add_option("--shard", o.shard, "i/n: every n-th try, from the i-th on; the files are merged afterwards")
+        ->capture_default_str();
+    app.add_option("--out", o.out, "What is kept, and gone on from")->capture_default_str();
+    app.add_option("--try", o.attempt, "This try alone, printed: what an origin's command says");
+    app.add_option("--climbs", o.climbs, "With --try: how often it is given --evaluations")->capture_default_str();
+    CLI::App* const merging = app.add_subcommand("merge", "Keeps the worst pairs of several files in one");
+    merging->add_option("out", o.merged_into, "The file to write")->required();
+    merging->add_option("in", o.merged_from, "Files of one search's shards")->required()->check(CLI::ExistingFile);
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return chosen(app, *merging, o, formulas);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "graze-search: %s\n", e.what());
+        return 2;
+    }
+}
+
+} // namespace search

@@ -1,0 +1,135 @@
+#include "run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace search {
+
+namespace {
+
+constexpr std::size_t starts_a_family = 400;
+
+std::string origin_of(const terms& t, const kept_pair& p) {
+    return command_of(t) + " --try " + std::to_string(p.attempt) + " --climbs " + std::to_string(p.climbs);
+}
+
+// Whether it is among the most_kept.
+bool is_kept(const std::vector<kept_pair>& pairs, const kept_pair& p) {
+    return std::ranges::count_if(pairs, [&](const kept_pair& q) { return q.at.score > p.at.score; }) <
+           static_cast<std::ptrdiff_t>(most_kept);
+}
+
+// The best pair that is still climbing and was not taken in this round.
+kept_pair* next_climber(std::vector<kept_pair>& pairs, const std::vector<std::uint64_t>& taken) {
+    const auto at = std::ranges::find_if(pairs, [&](const kept_pair& p) {
+        return p.at.climbing && !p.partial && std::ranges::count(taken, p.attempt) == 0;
+    });
+    return at == pairs.end() ? nullptr : &*at;
+}
+
+} // namespace
+
+std::optional<found> repeat(const goal& g, const std::vector<precision::family>& families, const terms& of,
+                            std::uint64_t attempt, std::uint64_t climbs, const std::atomic<bool>* stop) {
+    allowance left{of.evaluations, stop};
+    std::optional<found> f = descend(g, families, of.seed, attempt, left);
+    if (f) {
+        climb(g, *f, left);
+    }
+    for (std::uint64_t i = 1; f && f->climbing && i < climbs && (stop == nullptr || !stop->load()); ++i) {
+        left.evaluations = of.evaluations;
+        climb(g, *f, left);
+    }
+    return f;
+}
+
+bool go_on(kept_file& file, const goal& g, const std::vector<precision::family>& families, const plan& p) {
+    const auto stopped = [&] { return p.stop != nullptr && p.stop->load(); };
+    const auto tell = [&](const kept_pair& k) {
+        if (p.told) {
+            p.told("try " + std::to_string(k.attempt) + ": " + g.tell(k.at.score) +
+                   (k.at.climbing ? ", still climbing" : ", no changed bit is worse"));
+        }
+    };
+    const auto save = [&] {
+        if (p.saved) {
+            p.saved(file);
+        }
+    };
+    const auto take = [&](kept_pair k) {
+        if (g.is_found(k.at.score)) {
+            k.partial = stopped();
+            tell(k);
+            k.origin = origin_of(file.of, k);
+            if (!k.partial && is_kept(file.pairs, k)) {
+                const std::string small = precision::to_line(shrink(g, k.at).pair);
+                k.shrunk = small == precision::to_line(k.at.pair) ? "" : small;
+            }
+            keep(file.pairs, std::move(k));
+        }
+    };
+    const bool was_done = file.next >= p.tries;
+    file.next = std::max(file.next, file.of.shard);
+    while (file.next < p.tries && !stopped()) {
+        if (const auto f = repeat(g, families, file.of, file.next, 1, p.stop)) {
+            take({*f, file.next, 1, false, {}, {}});
+        }
+        if (!stopped()) { // else this try is made again
+            file.next += file.of.shards;
+        }
+        save();
+    }
+    std::vector<std::uint64_t> taken;
+    while (was_done && !stopped()) {
+        kept_pair* const at = next_climber(file.pairs, taken);
+        if (at == nullptr) {
+            break;
+        }
+        kept_pair k = *at;
+        taken.push_back(k.attempt);
+        allowance left{file.of.evaluations, p.stop};
+        climb(g, k.at, left);
+        ++k.climbs;
+        take(std::move(k));
+        save();
+    }
+    return file.next >= p.tries && !stopped();
+}
+
+goal goal_of(const terms& t, const graze::precision::subjects& formulas) {
+    goal g;
+    g.what = aim_from(t.goal);
+    std::string known;
+    for (const auto& s : formulas) {
+        for (const precision::quantity q : graze::precision::all_quantities) {
+            if (std::string(to_string(q)) + "/" + s->variant + "/" + s->type.name == t.figure) {
+                g.of = q;
+                g.formula = s.get();
+            }
+        }
+        known += (known.empty() ? "" : ", ") + s->variant + "/" + s->type.name;
+    }
+    if (g.formula == nullptr) {
+        throw std::invalid_argument("the figure is \"" + t.figure +
+                                    "\", not a quantity, a variant and a type, as "
+                                    "time/lagrange.stable/double; variants and types: " +
+                                    known);
+    }
+    return g;
+}
+
+std::vector<precision::family> families_of(const terms& t) {
+    std::vector<precision::family> all = precision::drawn_families(starts_a_family, t.seed);
+    if (t.families.empty()) {
+        return all;
+    }
+    for (const std::string& name : t.families) {
+        if (std::ranges::find(all, name, &precision::family::name) == all.end()) {
+            throw std::invalid_argument("there is no family \"" + name + "\"");
+        }
+    }
+    std::erase_if(all, [&](const precision::family& f) { return std::ranges::count(t.families, f.name) == 0; });
+    return all;
+}
+
+} // namespace search
