@@ -102,7 +102,8 @@ goal goal_of(const terms& t, const graze::precision::subjects& formulas) {
     std::string known;
     for (const auto& s : formulas) {
         for (const precision::quantity q : graze::precision::all_quantities) {
-            if (std::string(to_string(q)) + "/" + s->variant + "/" + s->type.name == t.figure) {
+            const bool named = std::string(to_string(q)) + "/" + s->variant + "/" + s->type.name == t.figure;
+            if (named && g.formula == nullptr) {
                 g.of = q;
                 g.formula = s.get();
             }

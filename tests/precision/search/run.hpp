@@ -24,7 +24,7 @@ bool go_on(kept_file& file, const goal& g, const std::vector<precision::family>&
                                           const terms& of, std::uint64_t attempt, std::uint64_t climbs,
                                           const std::atomic<bool>* stop = nullptr);
 
-// The subject of "quantity/variant/type". std::invalid_argument that names those there are.
+// The first subject of "quantity/variant/type". std::invalid_argument that names those there are.
 [[nodiscard]] goal goal_of(const terms& t, const graze::precision::subjects& formulas);
 
 // The families that tries start from. std::invalid_argument for a name that there is none of.
