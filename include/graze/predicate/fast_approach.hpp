@@ -21,17 +21,23 @@ struct lane_motion {
     exact_pair<lanes> x01, xR2, u01, u_2;
 };
 
+// From where the numbers of two balls start.
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline lane_motion lane_motion_of(const T* x_a, const T* x_b, const T* u_a,
+                                                                    const T* u_b, const T& r_a, const T& r_b) noexcept {
+    const auto at = [](const T* x, int i) { return static_cast<double>(as_stored(x[i])); };
+    const auto third = [&](const T* x) { return N == 3 ? at(x, N - 1) : 0.0; };
+    lane_motion m;
+    m.x01 = two_difference(lanes{at(x_a, 0), at(x_a, 1)}, lanes{at(x_b, 0), at(x_b, 1)});
+    m.xR2 = two_difference(lanes{at(&r_a, 0), third(x_a)}, lanes{-at(&r_b, 0), third(x_b)});
+    m.u01 = two_difference(lanes{at(u_a, 0), at(u_a, 1)}, lanes{at(u_b, 0), at(u_b, 1)});
+    m.u_2 = two_difference(lanes{0, third(u_a)}, lanes{0, third(u_b)});
+    return m;
+}
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline lane_motion lane_motion_of(const ball<N, T>& a, const ball<N, T>& b) noexcept {
-    const auto at = [](const vec<N, T>& x, int i) { return static_cast<double>(as_stored(x[i])); };
-    const auto third = [&](const vec<N, T>& x) { return N == 3 ? at(x, N - 1) : 0.0; };
-    lane_motion m;
-    m.x01 = two_difference(lanes{at(a.position, 0), at(a.position, 1)}, lanes{at(b.position, 0), at(b.position, 1)});
-    m.xR2 = two_difference(lanes{static_cast<double>(as_stored(a.radius)), third(a.position)},
-                           lanes{-static_cast<double>(as_stored(b.radius)), third(b.position)});
-    m.u01 = two_difference(lanes{at(a.velocity, 0), at(a.velocity, 1)}, lanes{at(b.velocity, 0), at(b.velocity, 1)});
-    m.u_2 = two_difference(lanes{0, third(a.velocity)}, lanes{0, third(b.velocity)});
-    return m;
+    return lane_motion_of<N>(a.position.component, b.position.component, a.velocity.component, b.velocity.component,
+                             a.radius, b.radius);
 }
 
 // Δx + Δu t0 in two lanes, with what the next steps need of it.

@@ -35,16 +35,19 @@ template <class T>
 // When two balls meet that do so near `time`; nothing is known unless good.
 template <int N, class U>
 struct time_by_doubles {
-    const ball<N, U>&a, &b;
+    const U* row;
     double time;
 
     struct answer {
         bounded<double> time;
         bool good;
     };
+    using pair = two_balls<N>;
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] answer operator()(std::bool_constant<Fused>) const noexcept {
-        const auto r = approach_near<Fused>(lane_motion_of(a, b), time);
+        const auto r = approach_near<Fused>(
+            lane_motion_of<N>(row, row + N, row + pair::lengths, row + pair::lengths + N, row[2 * N], row[2 * N + 1]),
+            time);
         return {r.time(), r.good};
     }
 };
@@ -61,13 +64,7 @@ template <class T, int N, class U>
 [[nodiscard]] inline std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
     if constexpr (has_error_free_doubles && !std::is_same_v<U, std::int64_t>) {
         if (e.kind == event_kind::balls && rounds_to_nearest()) {
-            const auto vector = [&](std::size_t from) {
-                return make_vec<N>([&](int i) { return e.row[from + static_cast<std::size_t>(i)]; });
-            };
-            using pair = two_balls<N>;
-            const ball<N, U> a{vector(0), vector(pair::lengths), e.row[2 * N]};
-            const ball<N, U> b{vector(N), vector(pair::lengths + N), e.row[2 * N + 1]};
-            const auto found = with_best_products(time_by_doubles<N, U>{a, b, time});
+            const auto found = with_best_products(time_by_doubles<N, U>{e.row.data(), time});
             if (found.good) {
                 return rounded_without_doubt<T>(found.time, mode);
             }
