@@ -53,12 +53,12 @@ template <int N, class T>
 
 // The indices of the parts in that order; those of equal parts, between which nothing tells, as they come.
 template <class Part>
-[[nodiscard]] std::vector<int> canonical_order(std::span<const Part> parts) {
-    std::vector<int> order(parts.size());
+[[nodiscard]] std::vector<int> canonical_order(std::span<const Part> pieces) {
+    std::vector<int> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int i, int j) {
-        const Part& x = parts[static_cast<std::size_t>(i)];
-        const Part& y = parts[static_cast<std::size_t>(j)];
+        const Part& x = pieces[static_cast<std::size_t>(i)];
+        const Part& y = pieces[static_cast<std::size_t>(j)];
         return precedes(x, y) || (!precedes(y, x) && i < j);
     });
     return order;

@@ -74,9 +74,9 @@ template <int N, class T>
 }
 
 template <class Part>
-void check_parts(std::span<const Part> parts, const char* kind) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (const char* fault = fault_of(parts[i])) {
+void check_parts(std::span<const Part> pieces, const char* kind) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (const char* fault = fault_of(pieces[i])) {
             reject((kind + std::to_string(i)).c_str(), fault);
         }
     }

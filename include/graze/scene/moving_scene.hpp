@@ -33,12 +33,12 @@ class moving_scene {
 
     moving_scene(const scene<dimension, number>& s, M m) : mechanics_(std::move(m)) {
         check(s);
-        const auto sorted = [](const auto& parts, std::vector<int>& names) {
-            names = canonical_order(parts);
-            std::vector<std::remove_cvref_t<decltype(parts[0])>> result;
+        const auto sorted = [](const auto& pieces, std::vector<int>& names) {
+            names = canonical_order(pieces);
+            std::vector<std::remove_cvref_t<decltype(pieces[0])>> result;
             result.reserve(names.size());
             for (const int i : names) {
-                result.push_back(parts[static_cast<std::size_t>(i)]);
+                result.push_back(pieces[static_cast<std::size_t>(i)]);
             }
             return result;
         };
