@@ -1,0 +1,225 @@
+// The cells decide what is offered, never what happens; and a run that is interrupted anywhere goes on as if it had not
+// been.
+#include <graze/number/floating.hpp>
+#include <graze/scene/plain_mechanics.hpp>
+#include <graze/scene/run.hpp>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+template <int N>
+struct parts_of_scene {
+    std::vector<graze::ball<N>> balls;
+    std::vector<graze::plane<N>> planes;
+
+    [[nodiscard]] graze::scene<N> scene() const { return {balls, planes, {}}; }
+};
+
+// What a scene of balls may look like.
+struct look {
+    int count;
+    int spread;     // of radii: the smallest is 2^-spread of the largest
+    bool boxed;     // or free to fly off
+    bool clustered; // in a corner of the box, with one ball far away
+    int resting;    // one in so many; 0: none
+    int fixed;      // one in so many is a mirror, at rest or not
+};
+
+look any_look(int most) {
+    return {*rc::gen::inRange(1, most),  *rc::gen::inRange(0, 9),     *rc::gen::arbitrary<bool>(),
+            *rc::gen::arbitrary<bool>(), *rc::gen::inRange(0, 3) * 2, *rc::gen::inRange(0, 3) * 7};
+}
+
+template <int N>
+parts_of_scene<N> any_scene(const look& l) {
+    std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+    const auto fraction = [&] { return static_cast<double>(static_cast<std::int64_t>(random() >> 11)) * 0x1p-53; };
+    const double side = l.clustered ? 2 : 10;
+    parts_of_scene<N> s;
+    for (int tries = 0; tries < 20 * l.count && static_cast<int>(s.balls.size()) < l.count; ++tries) {
+        graze::ball<N> b{};
+        b.radius = 0.4 * std::exp2(-l.spread * fraction());
+        if (l.spread == 8 && fraction() < 0.2) {
+            b.radius = 0;
+        }
+        for (int i = 0; i < N; ++i) {
+            b.position[i] = 0.5 + (side - 1) * fraction();
+            b.velocity[i] = l.resting > 0 && random() % static_cast<unsigned>(l.resting) == 0 ? 0 : 2 * fraction() - 1;
+        }
+        b.mass = 0.25 + fraction();
+        if (l.fixed > 0 && random() % static_cast<unsigned>(l.fixed) == 0) {
+            b.mass = std::numeric_limits<double>::infinity();
+            b.velocity = graze::make_vec<N>([&](int) { return l.boxed || l.clustered ? 0.0 : 1e-3 * fraction(); });
+        }
+        if (std::none_of(s.balls.begin(), s.balls.end(), [&](const auto& other) {
+                return std::sqrt(graze::squared_norm(other.position - b.position)) < other.radius + b.radius;
+            })) {
+            s.balls.push_back(b);
+        }
+    }
+    if (l.clustered) {
+        s.balls.push_back(
+            {graze::make_vec<N>([](int) { return 9.0; }), graze::make_vec<N>([](int) { return 1e-2; }), 0.4, 1});
+    }
+    for (int i = 0; i < N && l.boxed; ++i) {
+        graze::plane<N> p{};
+        p.normal[i] = 2;
+        s.planes.push_back(p);
+        p.point[i] = 10;
+        s.planes.push_back(p);
+    }
+    return s;
+}
+
+struct told_event {
+    graze::meeting who;
+    double time;
+    bool operator==(const told_event&) const = default;
+};
+
+// What happened, and where it ended: how, the names of the two that may not meet if that was it, and all states.
+template <int N>
+struct story {
+    std::vector<told_event> events;
+    std::string end;
+    std::vector<graze::flight<N>> flights;
+
+    bool operator==(const story& other) const {
+        return events == other.events && end == other.end &&
+               std::equal(flights.begin(), flights.end(), other.flights.begin(), other.flights.end(),
+                          [](const auto& f, const auto& g) {
+                              return f.since == g.since && f.state.position == g.state.position &&
+                                     f.state.velocity == g.state.velocity;
+                          });
+    }
+};
+
+template <class M>
+story<M::dimension> told_by(graze::run<M>& run, std::uint64_t count) {
+    story<M::dimension> s;
+    while (s.end.empty()) {
+        try {
+            const auto done = run.advance({.events = count - s.events.size()}, [&](const graze::run_event<M>& e) {
+                s.events.push_back({e.who, e.when});
+            });
+            s.end = to_string(done.why);
+        } catch (const std::domain_error& e) {
+            s.end = e.what();
+        } catch (const graze::undecided&) { // and on again
+        }
+    }
+    for (int i = 0; i < run.balls(); ++i) {
+        s.flights.push_back(run.in_flight(i));
+    }
+    return s;
+}
+
+template <int N>
+bool cells_have_no_part(int most, std::uint64_t events) {
+    return rc::check([=] {
+        using plain = graze::plain_mechanics<N, double>;
+        const look l = any_look(most);
+        const auto s = any_scene<N>(l);
+        graze::run<plain> with(s.scene());
+        graze::run<plain> without(s.scene(), {}, graze::cells::none);
+        const auto story_with = told_by(with, events);
+        RC_ASSERT(story_with == told_by(without, events));
+    });
+}
+
+// Plain mechanics that cannot decide one question in so many.
+struct hesitant : graze::plain_mechanics<2, double> {
+    using plain = graze::plain_mechanics<2, double>;
+    std::shared_ptr<std::mt19937_64> random = std::make_shared<std::mt19937_64>();
+    unsigned one_in = 0;
+
+    void hesitate() const {
+        if (one_in != 0 && (*random)() % one_in == 0) {
+            throw graze::undecided("whether to go on", 0);
+        }
+    }
+    template <class S>
+    std::optional<double> meet(const state& a, const S& b) const {
+        hesitate();
+        return plain::meet(a, b);
+    }
+    int order(double s, double t) const {
+        hesitate();
+        return plain::order(s, t);
+    }
+    template <class S>
+    void bounce(state& a, S& b, double when) const {
+        hesitate();
+        plain::bounce(a, b, when);
+    }
+};
+
+} // namespace
+
+TEST_CASE("with and without cells the sequence is the same, bit for bit") {
+    CHECK(cells_have_no_part<2>(150, 400));
+    CHECK(cells_have_no_part<3>(150, 300));
+}
+
+TEST_CASE("exceptions in the middle of an event change nothing") {
+    CHECK(rc::check([] {
+        const auto s = any_scene<2>(any_look(40));
+        hesitant certain;
+        hesitant unsure;
+        graze::run<hesitant> straight(s.scene(), certain);
+        graze::run<hesitant> interrupted(s.scene(), unsure);
+        interrupted.rules().random->seed(*rc::gen::arbitrary<std::uint64_t>());
+        const auto expected = told_by(straight, 200);
+        const_cast<hesitant&>(interrupted.rules()).one_in = 300; // after the first predictions, which have no run yet
+        RC_ASSERT(told_by(interrupted, 200) == expected);
+    }));
+}
+
+TEST_CASE("event by event is the same as at once") {
+    CHECK(rc::check([] {
+        const auto s = any_scene<2>(any_look(60));
+        using plain = graze::plain_mechanics<2, double>;
+        graze::run<plain> whole(s.scene());
+        graze::run<plain> steps(s.scene());
+        const auto expected = told_by(whole, 150);
+        story<2> told;
+        while (told.events.size() < expected.events.size()) {
+            const auto step = told_by(steps, *rc::gen::inRange<std::uint64_t>(1, 5));
+            told.events.insert(told.events.end(), step.events.begin(), step.events.end());
+        }
+        told.events.resize(expected.events.size());
+        RC_ASSERT(told.events == expected.events);
+    }));
+}
+
+TEST_CASE("velocities turned round bring a run back") {
+    CHECK(rc::check([] {
+        auto s = any_scene<2>({20, 0, true, false, 0, 0});
+        using plain = graze::plain_mechanics<2, double>;
+        const plain rules;
+        graze::run<plain> run(s.scene());
+        const double turn = 1;
+        const auto there = run.advance({.time = turn});
+        run.restate([&](int, const auto& f) {
+            auto b = rules.ball_at(f, turn);
+            b.velocity = -b.velocity;
+            return graze::flight<2>{b, turn};
+        });
+        const auto back = run.advance({.time = 2 * turn});
+        RC_ASSERT(there.why == graze::ending::time);
+        RC_ASSERT(back.events == there.events);
+        for (int i = 0; i < run.balls(); ++i) {
+            const auto b = rules.ball_at(run.in_flight(i), 2 * turn);
+            const auto& start = s.balls[static_cast<std::size_t>(i)];
+            for (int axis = 0; axis < 2; ++axis) { // a few events multiply an error by no more than this
+                RC_ASSERT(std::fabs(b.position[axis] - start.position[axis]) < 1e-6);
+            }
+        }
+    }));
+}

@@ -1,0 +1,174 @@
+// What a run does at its borders: mirrors, overlaps, points, cascades, limits, exceptions.
+#include "exact_runs.hpp"
+
+#include <graze/number/floating.hpp>
+#include <graze/scene/plain_mechanics.hpp>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+using balls = std::vector<graze::ball<2>>;
+using planes = std::vector<graze::plane<2>>;
+using walls = std::vector<graze::wall<2>>;
+using plain = graze::plain_mechanics<2, double>;
+
+std::string message_of(const graze::scene<2>& scene) {
+    try {
+        (void)run_exactly<2>(scene, {});
+    } catch (const std::exception& e) {
+        return e.what();
+    }
+    return "";
+}
+
+// Four walls round the square from 0 to 1.
+const walls box = {
+    {{{0, 0}}, {{{{1, 0}}}}}, {{{1, 0}}, {{{{0, 1}}}}}, {{{1, 1}}, {{{{-1, 0}}}}}, {{{0, 1}}, {{{{0, -1}}}}}};
+
+} // namespace
+
+TEST_CASE("nothing happens in an empty scene, or to one ball") {
+    CHECK(run_exactly<2>({}, {}).outcome.why == graze::ending::exhausted);
+    const balls one = {{{{0, 0}}, {{1, 0}}, 1, 1}};
+    const auto finished = run_exactly<2>({one, {}, {}}, {.time = 100, .events = 5});
+    CHECK(finished.outcome.why == graze::ending::exhausted);
+    CHECK(finished.outcome.events == 0);
+    CHECK(finished.flights[0].since == 0);
+}
+
+TEST_CASE("bad input is named") {
+    balls two = {{{{0, 0}}, {{1, 0}}, 1, 1}, {{{5, 0}}, {{0, 0}}, -1, 1}};
+    CHECK(message_of({two, {}, {}}) == "ball 1: radius is negative");
+    two[1].radius = 1;
+    two[0].velocity[1] = std::nan("");
+    CHECK(message_of({two, {}, {}}) == "ball 0: velocity is not finite");
+    two[0].velocity[1] = 0;
+    two[1].mass = 0;
+    CHECK(message_of({two, {}, {}}) == "ball 1: mass is not positive");
+    two[1].mass = 1;
+    const planes flat = {{{{9, 9}}, {{1, 0}}}, {{{0, 0}}, {{0, 0}}}};
+    CHECK(message_of({two, flat, {}}) == "plane 1: normal is zero");
+    const walls point = {{{{0, 0}}, {{{{0, 0}}}}}};
+    CHECK(message_of({two, {}, point}) == "wall 0: edge is zero");
+}
+
+TEST_CASE("two infinite masses that meet are named, and nothing is lost") {
+    const balls three = {
+        {{{0, 0}}, {{1, 0}}, 1, infinite}, {{{9, 0}}, {{-1, 0}}, 1, infinite}, {{{0, 3}}, {{0, -2}}, 1, 1}};
+    graze::run<plain> run(graze::scene<2>{three, {}, {}});
+    CHECK(run.advance({.time = 3}).events == 1);
+    const auto before = run.in_flight(2);
+    for (int i = 0; i < 2; ++i) {
+        try {
+            run.advance({});
+            FAIL("it goes on");
+        } catch (const std::domain_error& e) {
+            CHECK(std::string(e.what()) ==
+                  "ball 0 and ball 1: both masses are infinite, and they meet at about t = 3.5");
+        }
+    }
+    CHECK(run.in_flight(2).state.velocity == before.state.velocity);
+    CHECK(run.advance({.time = 3}).why == graze::ending::time);
+    CHECK(message_of({three, {}, {}}) == "ball 0 and ball 1: both masses are infinite, and they meet at about t = 3.5");
+}
+
+TEST_CASE("a mirror keeps its flight, whatever it meets") {
+    const balls mirrors = {
+        {{{0, 0}}, {{0, 0}}, 0.5, infinite}, {{{4, 0}}, {{0, 0}}, 0.5, infinite}, {{{2, 0}}, {{1, 0}}, 0.25, 1}};
+    std::uint64_t told = 0;
+    const auto finished = run_exactly<2>({mirrors, {}, {}}, {.events = 100}, [&](const exact_event<2>& e) {
+        CHECK(e.who == graze::meeting{graze::partner::ball, e.who.a, e.who.b});
+        ++told;
+        return true;
+    });
+    CHECK(told == 100);
+    CHECK(finished.flights[0].since == 0);
+    CHECK(finished.flights[1].since == 0);
+    CHECK(finished.flights[2].since == 1.25 + 99 * 2.5);
+}
+
+TEST_CASE("what overlaps and approaches is resolved at once, what parts is left alone") {
+    balls two = {{{{0, 0}}, {{1, 0}}, 1, 1}, {{{1, 0}}, {{0, 0}}, 1, 1}};
+    auto finished = run_exactly<2>({two, {}, {}}, {});
+    CHECK(finished.outcome.events == 1);
+    CHECK(finished.flights[0].since == 0);
+    CHECK(finished.flights[1].state.velocity[0] == 1);
+    two[0].velocity[0] = -1;
+    CHECK(run_exactly<2>({two, {}, {}}, {}).outcome.events == 0);
+
+    const planes flat = {{{{0, 0.5}}, {{0, 1}}}};
+    const balls cuts = {{{{0, 0}}, {{0, 1}}, 1, 1}};
+    finished = run_exactly<2>({cuts, flat, {}}, {});
+    CHECK(finished.outcome.events == 1);
+    CHECK(finished.flights[0].state.velocity[1] == -1);
+}
+
+TEST_CASE("a cascade without end is reported") {
+    // Two infinite masses come together with a ball between them.
+    const balls press = {
+        {{{-2, 0}}, {{1, 0}}, 1, infinite}, {{{2, 0}}, {{-1, 0}}, 1, infinite}, {{{0, 0}}, {{0.5, 0}}, 0.125, 1}};
+    const auto finished = run_exactly<2>({press, {}, {}}, {.cascade = 500});
+    CHECK(finished.outcome.why == graze::ending::cascade);
+    CHECK(finished.flights[2].since <= 0.875);
+    CHECK(finished.flights[2].since > 0.8749);
+}
+
+TEST_CASE("events of exactly the time asked for are done, and a later call goes on") {
+    const balls one = {{{{3, 0}}, {{-1, 0}}, 1, 1}};
+    const planes two = {{{{0, 0}}, {{1, 0}}}, {{{10, 0}}, {{1, 0}}}};
+    graze::run<plain> run(graze::scene<2>{one, two, {}});
+    CHECK(run.advance({.time = 1.5}).events == 0);
+    CHECK(run.advance({.time = 2}).events == 1);
+    const auto at_last = run.advance({.time = 10, .events = 7});
+    CHECK(at_last.events == 1);
+    CHECK(at_last.why == graze::ending::time);
+    CHECK(run.advance({.events = 3}).why == graze::ending::events);
+}
+
+TEST_CASE("an observer stops a run, and its exception loses nothing") {
+    const balls one = {{{{3, 0}}, {{-1, 0}}, 1, 1}};
+    const planes two = {{{{0, 0}}, {{1, 0}}}, {{{10, 0}}, {{1, 0}}}};
+    graze::run<plain> run(graze::scene<2>{one, two, {}});
+    CHECK(run.advance({}, [](const auto&) { return false; }).why == graze::ending::stopped);
+    CHECK_THROWS_AS(run.advance({}, [](const auto&) { throw std::runtime_error("seen enough"); }), std::runtime_error);
+    CHECK(run.in_flight(0).since == 10);
+    CHECK(run.advance({.events = 1}).events == 1);
+    CHECK(run.in_flight(0).since == 18);
+}
+
+TEST_CASE("a point stays on its side") {
+    CHECK(rc::check([] {
+        const auto fraction = [] { return *rc::gen::inRange(-999, 1000) * 0.001; };
+        const balls point = {{{{0.5 + 0.4 * fraction(), 0.5 + 0.4 * fraction()}}, {{fraction(), fraction()}}, 0, 1},
+                             {{{0.5, 0.5}}, {{fraction(), fraction()}}, 0.0625, 1e6}};
+        RC_PRE(std::hypot(point[0].position[0] - 0.5, point[0].position[1] - 0.5) > 0.0625);
+        const auto finished = run_exactly<2>({point, {}, box}, {.events = 300}, [](const exact_event<2>& e) {
+            if (e.who.a == 0) {
+                RC_ASSERT(std::fabs(e.after_a.state.position[0] - 0.5) < 0.5 + 1e-12);
+                RC_ASSERT(std::fabs(e.after_a.state.position[1] - 0.5) < 0.5 + 1e-12);
+            }
+            return true;
+        });
+        RC_ASSERT(finished.outcome.why == graze::ending::events || finished.outcome.why == graze::ending::exhausted ||
+                  finished.outcome.why == graze::ending::cascade);
+    }));
+}
+
+TEST_CASE("a point that a ball pins to a wall does not pass through it") {
+    // The point bounces between a wall and a heavy ball that comes nearer until it turns.
+    const balls pinned = {{{{0.3, 0.1}}, {{-1, 0}}, 0, 1}, {{{2.3, 0.1}}, {{-1, 0}}, 0.7, 1e6}};
+    const planes wall = {{{{0.1, 0}}, {{1, 0}}}};
+    const auto finished = run_exactly<2>({pinned, wall, {}}, {}, [](const exact_event<2>& e) {
+        CHECK(e.after_a.state.position[0] > 0.1 - 1e-12);
+        return true;
+    });
+    CHECK(finished.outcome.why == graze::ending::exhausted);
+    CHECK(finished.outcome.events == 3141);
+    CHECK(finished.flights[0].state.velocity[0] > 0);
+}
