@@ -64,6 +64,8 @@ TEST_CASE("all events of the earliest time, as the oracle has them, whatever the
         }
         const auto only = graze::first_events(graze::scene<2>{balls, planes, {}}, graze::simultaneous::first);
         RC_ASSERT(only.events.size() == std::min<std::size_t>(expected.size(), 1));
-        RC_ASSERT(only.events.empty() || only.events[0] == expected[0].who);
+        if (!expected.empty()) {
+            RC_ASSERT(only.events[0] == expected[0].who);
+        }
     }));
 }
