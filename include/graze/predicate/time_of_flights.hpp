@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/predicate/classify_flights.hpp>
+#include <graze/predicate/fast_plane_time.hpp>
 #include <graze/predicate/flight_time.hpp>
 
 #include <optional>
@@ -88,9 +89,16 @@ requires is_binary_input<T>
     if (!is_collision(what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(detail::flight_event<N, T>(detail::ball_and_plane<N>{}, f.state, p,
-                                                               detail::event_kind::plane, 0, what == encounter::overlap,
-                                                               f.since, f.since));
+    const detail::flight_event<N, T> e(detail::ball_and_plane<N>{}, f.state, p, detail::event_kind::plane, 0,
+                                       what == encounter::overlap, f.since, f.since);
+    if (!std::is_constant_evaluated() && what == encounter::hit) {
+        if (const auto bounds = detail::enclose_touch(f.state, p); bounds.upper < detail::enclosure::unknown)
+            [[likely]] {
+            const auto start = static_cast<double>(detail::as_stored(f.since));
+            return flight_time<N, T>(detail::impact_time_key{}, detail::counted_from<T>(start, bounds), e);
+        }
+    }
+    return detail::enclosed_exactly(e);
 }
 
 // The exact time at which a flight touches a wall's face, edge or corner first; empty for recede and miss.
