@@ -11,7 +11,7 @@ namespace graze::detail {
 
 // A face of a ball's cell that it reaches: when, and the axis and sense in which it then moves on.
 struct face_crossing {
-    double when = std::numeric_limits<double>::infinity();
+    double when = std::numeric_limits<double>::max();
     int axis = 0;
     int step = 0;
 };

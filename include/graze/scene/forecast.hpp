@@ -32,14 +32,15 @@ class forecast {
         heap_.clear();
         for (body a = 0; a < scene_.balls(); ++a) {
             forget();
-            foresee(a);
+            predict(a, a + 1);
+            heap_.make_room(found_.size());
             accept();
         }
     }
 
     // Foresees what ball a, whose flight has changed, will do, beside what has been foreseen since forget.
     void foresee(body a) {
-        predict(a);
+        predict(a, 0);
         heap_.make_room(found_.size());
     }
     void forget() noexcept {
@@ -65,7 +66,7 @@ class forecast {
         events.clear();
         nearest_.clear();
         try {
-            double limit = std::numeric_limits<double>::infinity();
+            double limit = std::numeric_limits<double>::max();
             while (!heap_.empty() && heap_.top().lower <= limit) {
                 const foreseen f = heap_.top();
                 if (is_stale(f)) {
@@ -103,7 +104,7 @@ class forecast {
         }
         if (const std::optional<time> when = scene_.meet(a, b)) {
             const time_bounds bounds = scene_.rules().bounds(*when);
-            if (bounds.lower <= std::numeric_limits<double>::max()) { // else never, or not a number
+            if (bounds.lower < std::numeric_limits<double>::max()) { // else never, or not a number
                 const std::uint32_t count_b = b < scene_.balls() ? scene_[b].count : 0;
                 found_.push_back({bounds.lower, bounds.upper, a, b, scene_[a].count, count_b});
             }
@@ -119,8 +120,9 @@ class forecast {
             found_.push_back({c.when, c.when, a, crossing_of(level), scene_[a].count, 0});
         }
     }
-    // Everything that ball a will do. A ball that the cells lose is offered to everyone from then on.
-    void predict(body a) {
+    // Everything that ball a will do with others, those before `from` left out. A ball that the cells lose is offered
+    // to everyone from then on.
+    void predict(body a, body from) {
         bool lost = false;
         if (!cells_.is_everywhere(a)) {
             const auto f = about(a);
@@ -134,7 +136,11 @@ class forecast {
             lost_.push_back(a);
             offer_everyone(a);
         } else {
-            cells_.around(a, [&](body b) { offer(a, b); });
+            cells_.around(a, [&](body b) {
+                if (b >= from) {
+                    offer(a, b);
+                }
+            });
         }
         offer_standing(a);
     }

@@ -102,18 +102,14 @@ class moving_scene {
 
     // Ball a's state, and b's if it is a ball, after they have met.
     void bounce(body a, body b, const time& when) {
-        mover<state>& x = movers_[a];
-        if (b < balls()) {
-            mechanics_.bounce(x.state, movers_[b].state, when);
-            movers_[b].last = a;
-            movers_[b].count += movers_[b].immovable ? 0 : 1;
-            tidy(b);
-        } else {
-            with_standing(b, [&](const auto& s) { bounce_standing(a, b, s, when); });
+        try {
+            change(a, b, when);
+        } catch (undecided& e) {
+            e.between(named(a, b));
+            throw;
+        } catch (const std::overflow_error& e) {
+            throw std::overflow_error(to_string(named(a, b)) + ": " + e.what());
         }
-        x.last = b;
-        x.count += x.immovable ? 0 : 1;
-        tidy(a, b);
     }
 
     // What bounce changes of a ball, to put it back.
@@ -130,6 +126,21 @@ class moving_scene {
     }
 
   private:
+    void change(body a, body b, const time& when) {
+        mover<state>& x = movers_[a];
+        if (b < balls()) {
+            mechanics_.bounce(x.state, movers_[b].state, when);
+            movers_[b].last = a;
+            movers_[b].count += movers_[b].immovable ? 0 : 1;
+            tidy(b);
+        } else {
+            with_standing(b, [&](const auto& s) { bounce_standing(a, b, s, when); });
+        }
+        x.last = b;
+        x.count += x.immovable ? 0 : 1;
+        tidy(a, b);
+    }
+
     template <class F>
     decltype(auto) with_standing(body b, F f) const {
         const std::size_t standing = b - balls();

@@ -57,7 +57,7 @@ class run {
                 ++next_;
                 continue;
             }
-            if (limits.time && scene().rules().order(d.when, *limits.time) > 0) {
+            if (limits.time && is_after(d, *limits.time)) {
                 done.why = ending::time;
                 return done;
             }
@@ -110,6 +110,15 @@ class run {
     using body = detail::body;
 
     [[nodiscard]] const detail::moving_scene<M>& scene() const noexcept { return forecast_.scene(); }
+
+    [[nodiscard]] bool is_after(const detail::due<time>& d, const number& end) const {
+        try {
+            return scene().rules().order(d.when, end) > 0;
+        } catch (undecided& e) {
+            e.between(scene().named(d.what.a, d.what.b));
+            throw;
+        }
+    }
 
     bool take_earliest() {
         next_ = 0;
@@ -175,7 +184,7 @@ class run {
     std::vector<detail::due<time>> due_; // events of one time
     std::size_t next_ = 0;               // of due_
     double now_ = 0;                     // not after any event to come
-    double still_until_ = -std::numeric_limits<double>::infinity();
+    double still_until_ = std::numeric_limits<double>::lowest();
     std::uint64_t still_ = 0; // events since time last went on for certain
 };
 
