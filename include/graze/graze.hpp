@@ -1,4 +1,5 @@
-// The library. Adapters for other libraries' number types (graze/number/boost.hpp, gmp.hpp, ...) are included by name.
+// The library for pairs. Scenes and runs (graze/scene/run.hpp, first_events.hpp, ...) and adapters for other libraries'
+// number types (graze/number/boost.hpp, gmp.hpp, ...) are included by name.
 #pragma once
 
 #include <graze/contact/collide.hpp>
