@@ -1,0 +1,31 @@
+// One run, many number types: Galperin's billiard counts the same in all that have digits enough.
+#include <graze/number/boost.hpp>
+#include <graze/number/floating.hpp>
+#include <graze/scene/plain_mechanics.hpp>
+#include <graze/scene/run.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <doctest/doctest.h>
+
+namespace {
+
+using bin_float_50 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+template <class T>
+std::uint64_t collisions(int mass_ratio) {
+    const std::vector<graze::ball<2, T>> balls = {{{{T(1), T(0)}}, {{T(0), T(0)}}, T(1) / T(8), T(1)},
+                                                  {{{T(2), T(0)}}, {{T(-1), T(0)}}, T(1) / T(8), T(mass_ratio)}};
+    const std::vector<graze::plane<2, T>> wall = {{{{T(0), T(0)}}, {{T(1), T(0)}}}};
+    graze::run<graze::plain_mechanics<2, T>> run(graze::scene<2, T>{balls, wall, {}});
+    return run.advance({}).events;
+}
+
+} // namespace
+
+TEST_CASE("a run in any number type") {
+    CHECK(collisions<float>(100) == 31);
+    CHECK(collisions<double>(10000) == 314);
+    CHECK(collisions<long double>(10000) == 314);
+    CHECK(collisions<bin_float_50>(100) == 31);
+}
