@@ -42,9 +42,8 @@ struct exact_mechanics {
         ball<N, T> approaching{};
         approaching.position[0] = T(-1);
         approaching.velocity[0] = T(1);
-        const detail::event<N, T> touch(detail::two_balls<N>{}, approaching, ball<N, T>{}, detail::event_kind::balls, 0,
-                                        true);
-        const detail::flight_event<N, T> then{touch, {a.since, a.since}};
+        const detail::flight_event<N, T> then(detail::two_balls<N>{}, approaching, ball<N, T>{},
+                                              detail::event_kind::balls, 0, true, a.since, a.since);
         const auto at = static_cast<double>(then.start());
         return time(detail::impact_time_key{}, detail::timed_enclosure{at, at}, then);
     }
