@@ -1,4 +1,4 @@
-# cmake -D WAY=install|find_package|pkg-config|add_subdirectory -D BUILD=... -D SOURCE=... -D WORK=... -D COMPILER=...
+# cmake -D WAY=install|find_package|pkg-config|add_subdirectory|precision -D BUILD=... -D SOURCE=... -D WORK=... -D COMPILER=...
 #       -P check.cmake
 # One way for a user to get at graze, tried from nothing. The tree is moved after the installation, so that whatever
 # names its old place fails.
@@ -21,6 +21,9 @@ if(WAY STREQUAL "install")
     run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/before")
     file(RENAME "${WORK}/before" "${prefix}")
 elseif(WAY STREQUAL "find_package")
+    build_consumer("-DCMAKE_PREFIX_PATH=${prefix}")
+elseif(WAY STREQUAL "precision")
+    set(consumer "${CMAKE_CURRENT_LIST_DIR}/precision")
     build_consumer("-DCMAKE_PREFIX_PATH=${prefix}")
 elseif(WAY STREQUAL "add_subdirectory")
     build_consumer("-DGRAZE_SOURCE=${SOURCE}")

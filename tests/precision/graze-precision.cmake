@@ -1,16 +1,18 @@
 # graze_add_precision_test(name
-#     TYPES type...           number types, as C++ writes them; or use
-#     [HEADERS file...]       the headers that declare them and the formulas, in <> or as paths
+#     TYPES type...           number types, as C++ writes them
+#     [HEADERS file...]       the headers that declare types and formulas, as <name> or as paths
 #     [FORMULAS formula...]   function objects (graze/precision/subject.hpp); all of graze's unless given
 #     [DECISIONS]             graze's decisions and contacts in float and double as well, which may never be wrong
 #     [FLAGS set...]          each a string of compiler flags by which the formulas are compiled, after the build's own
-#     [ACCEPTED folder]       of the accepted figures
-#     [INPUTS path...]        files of kept pairs, or folders of them
+#     [ACCEPTED folder]       of the accepted figures; graze's own where AS is given
+#     [AS variant/type]       compare with the accepted figures of this variant and this type; either may be left out
+#     [INPUTS path...]        files of kept pairs, or folders of them; graze's own unless given
 #     [LIBRARIES target...]   what the types need
+#     [DEFINITIONS name...]   macros for their headers
 #     [PAIRS n] [SEED n] [THREADS n]
 #     [LABELS label...]       of the tests
-#     [EXPECT_LOSS]           that nothing is lost is the failure
-#     [EXCLUDE_FROM_ALL])     the programs are built by their target alone
+#     [EXPECT_LOSS [flag...]] that nothing is lost is the failure; of flag sets, those with one of the flags
+#     [EXCLUDE_FROM_ALL])     the programs are built when the tests run
 # makes for each set of flags a program and a test, name or name.1, name.2 ...; with several sets also name.flags, a test
 # that says which flag lost the precision. Needs GMP, for the exact values.
 include_guard(GLOBAL)
@@ -38,6 +40,9 @@ function(graze_precision_suite_library)
     target_link_libraries(graze_precision_suite PUBLIC graze::graze
         "${GRAZE_gmpxx_LIBRARY}" "${GRAZE_gmp_LIBRARY}" Threads::Threads)
     target_compile_options(graze_precision_suite PRIVATE -O1 -fno-fast-math -ffp-contract=off)
+    if(TARGET graze_warnings) # the project's own build
+        target_link_libraries(graze_precision_suite PRIVATE graze_warnings)
+    endif()
 endfunction()
 
 # The sources of a program: one for each type, so that types are compiled side by side, and the main program.
@@ -107,10 +112,19 @@ int main(int argc, char** argv) {
 endfunction()
 
 function(graze_add_precision_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXPECT_LOSS;EXCLUDE_FROM_ALL" "ACCEPTED;PAIRS;SEED;THREADS"
-        "TYPES;HEADERS;FORMULAS;FLAGS;INPUTS;LIBRARIES;LABELS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXCLUDE_FROM_ALL" "ACCEPTED;AS;PAIRS;SEED;THREADS"
+        "TYPES;HEADERS;FORMULAS;FLAGS;INPUTS;LIBRARIES;DEFINITIONS;LABELS;EXPECT_LOSS")
     if(arg_UNPARSED_ARGUMENTS OR NOT arg_TYPES)
         message(FATAL_ERROR "graze_add_precision_test(${name}): TYPES expected, got '${arg_UNPARSED_ARGUMENTS}'")
+    endif()
+    if(NOT arg_ACCEPTED)
+        if(NOT arg_AS)
+            message(FATAL_ERROR "graze_add_precision_test(${name}): ACCEPTED expected, a folder, or AS")
+        endif()
+        set(arg_ACCEPTED "${GRAZE_PRECISION_SOURCES}/accepted")
+    endif()
+    if(NOT arg_INPUTS)
+        set(arg_INPUTS "${GRAZE_PRECISION_SOURCES}/inputs")
     endif()
     graze_precision_suite_library()
     if(NOT arg_FLAGS)
@@ -125,9 +139,10 @@ function(graze_add_precision_test name)
             list(APPEND common --${word} ${arg_${option}})
         endif()
     endforeach()
-    if(arg_ACCEPTED)
-        get_filename_component(accepted "${arg_ACCEPTED}" ABSOLUTE)
-        list(APPEND common --accepted "${accepted}")
+    get_filename_component(accepted "${arg_ACCEPTED}" ABSOLUTE)
+    list(APPEND common --accepted "${accepted}")
+    if(arg_AS)
+        list(APPEND common --as "${arg_AS}")
     endif()
     foreach(path IN LISTS arg_INPUTS)
         get_filename_component(path "${path}" ABSOLUTE)
@@ -149,17 +164,36 @@ function(graze_add_precision_test name)
         endif()
         string(STRIP "${flags}" flags)
         set(folder "${CMAKE_CURRENT_BINARY_DIR}/${this}.files")
-        graze_precision_sources("${folder}" "${flags}" sources)
+        string(TOUPPER "${CMAKE_BUILD_TYPE}" configuration)
+        set(all_flags ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${configuration}} ${flags})
+        list(JOIN all_flags " " all_flags)
+        graze_precision_sources("${folder}" "${all_flags}" sources)
         add_executable(${this} ${own_exclude} ${sources})
         target_link_libraries(${this} PRIVATE graze::graze ${arg_LIBRARIES} graze_precision_suite)
+        if(TARGET graze_warnings)
+            target_link_libraries(${this} PRIVATE graze_warnings)
+        endif()
         separate_arguments(options UNIX_COMMAND "${flags}")
         list(REMOVE_AT sources 0)
         set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS ${options})
+        target_compile_definitions(${this} PRIVATE ${arg_DEFINITIONS})
         set(run ${this} ${common} --results "${folder}/results")
-        if(arg_EXPECT_LOSS)
+        if("EXPECT_LOSS" IN_LIST arg_KEYWORDS_MISSING_VALUES)
             list(APPEND run --expect-loss)
         endif()
+        foreach(flag IN LISTS arg_EXPECT_LOSS)
+            if(flag IN_LIST options)
+                list(APPEND run --expect-loss)
+            endif()
+        endforeach()
         add_test(NAME ${this} COMMAND ${run})
+        if(arg_EXCLUDE_FROM_ALL)
+            add_test(NAME ${this}.build
+                COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --config $<CONFIG> --target ${this})
+            set_tests_properties(${this}.build PROPERTIES FIXTURES_SETUP ${this}.built)
+            set_tests_properties(${this} PROPERTIES FIXTURES_REQUIRED ${this}.built)
+            list(APPEND tests ${this}.build)
+        endif()
         list(APPEND tests ${this})
         list(APPEND results "${folder}/results/results.txt")
     endforeach()
@@ -167,7 +201,9 @@ function(graze_add_precision_test name)
         add_test(NAME ${name}.flags COMMAND ${name}.1 --which-flag ${results})
         set_tests_properties(${name}.flags PROPERTIES DEPENDS "${tests}")
         if(arg_EXPECT_LOSS)
-            set_tests_properties(${name}.flags PROPERTIES PASS_REGULAR_EXPRESSION "lost by ")
+            list(JOIN arg_EXPECT_LOSS "|" guilty)
+            string(REGEX REPLACE "([+.*()^?$])" "\\\\\\1" guilty "${guilty}")
+            set_tests_properties(${name}.flags PROPERTIES PASS_REGULAR_EXPRESSION "lost by (${guilty})[ :]")
         endif()
         list(APPEND tests ${name}.flags)
     endif()

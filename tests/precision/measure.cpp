@@ -90,6 +90,9 @@ class family_measurement {
     family_measurement(const family& f, const plan& what) : family_(f), plan_(what) {}
 
     void run(const graze::precision::subjects& formulas) {
+        if (std::none_of(formulas.begin(), formulas.end(), [&](const auto& s) { return may_be_chosen(*s); })) {
+            return;
+        }
         const auto plane = questions_of<2>(family_);
         const auto space = questions_of<3>(family_);
         std::map<std::string, std::pair<shared_questions<2>, shared_questions<3>>> of_type;

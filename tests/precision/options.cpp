@@ -13,9 +13,11 @@ const char* const usage =
     "  --inputs FILE       the pairs of a file instead of the families; may be repeated\n"
     "  --kept PATH         the pairs of a file, or of a folder's *.txt, beside the families; may be repeated\n"
     "  --accepted FOLDER   the accepted figures\n"
+    "  --as VARIANT/TYPE   compare with the figures accepted for another variant, or type; either may be left out\n"
     "  --results FOLDER    where a failure's inputs are written (precision-results)\n"
     "  --threads N         (1)\n"
     "  --show              print the figures and compare nothing\n"
+    "  --quiet             count the losses without telling of each\n"
     "  --expect-loss       a loss is expected: that nothing is lost is the failure\n"
     "  --which-flag FILE.. of the results of several flag sets, say which flag lost the precision\n"
     "GRAZE_PRECISION_UPDATE=no|new|all: compare only; write *.accepted.new beside files that would change; replace "
@@ -61,10 +63,21 @@ options parse(const std::vector<std::string>& words) {
             o.kept.emplace_back(next());
         } else if (word == "--accepted") {
             o.accepted = next();
+        } else if (word == "--as") {
+            const std::string& text = next();
+            const auto slash = text.find('/');
+            if (slash == std::string::npos || text.size() == 1) {
+                throw std::invalid_argument(word + ": \"" + text +
+                                            "\" is not a variant/type, as lagrange/double or /double");
+            }
+            o.as_variant = text.substr(0, slash);
+            o.as_type = text.substr(slash + 1);
         } else if (word == "--results") {
             o.results = next();
         } else if (word == "--show") {
             o.show = true;
+        } else if (word == "--quiet") {
+            o.quiet = true;
         } else if (word == "--expect-loss") {
             o.expect_loss = true;
         } else if (word == "--help") {

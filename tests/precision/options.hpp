@@ -14,10 +14,11 @@ struct options {
     std::vector<std::filesystem::path> inputs; // these alone instead of the families
     std::vector<std::filesystem::path> kept;   // files, or folders of *.txt, beside the families
     std::filesystem::path accepted, results = "precision-results";
+    std::string as_variant, as_type; // whose accepted figures are compared with; empty: the formula's own
     std::size_t pairs = 400;
     std::uint64_t seed = 1;
     unsigned threads = 1;
-    bool show = false, expect_loss = false, help = false;
+    bool show = false, quiet = false, expect_loss = false, help = false;
     std::vector<std::filesystem::path> flag_results; // of --which-flag
 };
 

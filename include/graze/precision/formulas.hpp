@@ -3,7 +3,6 @@
 
 #include <graze/formula/root_order.hpp>
 #include <graze/formula/solve.hpp>
-#include <graze/number/floating.hpp>
 #include <graze/precision/subject.hpp>
 
 namespace graze::precision {

@@ -1,9 +1,10 @@
 // How the precision suite gets numbers into a type and out of it again, without an error of its own.
 #pragma once
 
-#include <graze/number/traits.hpp>
+#include <graze/number/floating.hpp>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -109,7 +110,14 @@ template <number T>
             type.lowest = static_cast<int>(limits::min_exponent) - type.digits;
         }
     }
-    type.held = [](double x) { return static_cast<double>(number_access<T>::from(x)); };
+    type.held = [](double x) {
+        const reading r = number_access<T>::read(number_access<T>::from(x));
+        double sum = 0;
+        for (const double part : r.parts) {
+            sum += part;
+        }
+        return std::ldexp(sum, r.exponent);
+    };
     return type;
 }
 

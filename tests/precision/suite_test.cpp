@@ -1,0 +1,100 @@
+// The regression itself: what it measures on answers whose error is known, what it shrinks, which flag it blames.
+#include "failure.hpp"
+#include "shrink.hpp"
+#include "which_flag.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using graze::precision::answer;
+using graze::precision::quantity;
+using precision::any_pair;
+using precision::pair;
+
+// Answers that D is 16 and so many quarters of its unit in the last place, 2^-48.
+template <int Quarters>
+struct beside_16 {
+    static constexpr const char* name = "beside";
+    static constexpr quantity measures = quantity::discriminant;
+    template <int N>
+    answer operator()(const graze::ball<N, double>&, const graze::ball<N, double>&) const {
+        answer a = graze::precision::answered(quantity::discriminant, 16.0);
+        a.values.front().components.front().parts.push_back(Quarters * 0x1p-50);
+        return a;
+    }
+};
+
+const pair<2> straight_on{{{-5, 0}, {1, 0}, 1}, graze::ball<2>{{0, 0}, {0, 0}, 3}}; // D = |du|² R² = 16
+
+template <int Quarters>
+precision::verdict judged() {
+    graze::precision::subjects list;
+    graze::precision::add<beside_16<Quarters>, double>(list);
+    return precision::judge_one(*list.front(), quantity::discriminant, straight_on).value();
+}
+
+} // namespace
+
+TEST_CASE("errors are fractions of a unit in the last place") {
+    CHECK(judged<0>().largest() == 0);
+    CHECK(judged<1>().largest() == 0.25);
+    CHECK(judged<-2>().largest() == 0.5);
+    CHECK(judged<2>().misrounded == 0);
+    CHECK(judged<3>().largest() == 0.75);
+    CHECK(judged<3>().misrounded == 1);
+    CHECK_FALSE(judged<3>().wrong);
+}
+
+TEST_CASE("each figure that gates is compared, and the median is not") {
+    const precision::figures before{100, 1, 50, 10, 2.0, 0.5};
+    const auto lost = [&](auto change) {
+        precision::figures now = before;
+        change(now);
+        return precision::losses(now, before).size();
+    };
+    CHECK(lost([](auto&) {}) == 0);
+    CHECK(lost([](auto& f) { ++f.wrong; }) == 1);
+    CHECK(lost([](auto& f) { ++f.misrounded; }) == 1);
+    CHECK(lost([](auto& f) { f.values = 40; }) == 1); // the same number of fewer
+    CHECK(lost([](auto& f) { f.largest = 2.001; }) == 1);
+    CHECK(lost([](auto& f) { --f.pairs; }) == 1);
+    CHECK(lost([](auto& f) { f.median = 1; }) == 0);
+    CHECK(lost([](auto& f) { f.wrong = 0, f.misrounded = 0, f.largest = 0; }) == 0);
+}
+
+TEST_CASE("what shrinks keeps showing the loss") {
+    const any_pair large = pair<2>{{{5.75, -3.3}, {0.1, 7}, 0.3}, graze::plane<2>{{1, 2}, {3, 4}}};
+    const any_pair small = precision::shrunk(large, [](const any_pair& p) {
+        return precision::is_valid(std::get<0>(p)) && std::get<0>(p).a.velocity[1] >= 5;
+    });
+    const auto numbers = precision::numbers_of(std::get<0>(small));
+    CHECK(std::count(numbers.begin(), numbers.end(), 0.0) >= 7);
+    CHECK(std::get<0>(small).a.velocity[1] >= 5);
+}
+
+TEST_CASE("a line is the pair that it tells of") {
+    const any_pair p = pair<3>{{{0x1p-1074, -0.0, 0.1}, {1e300, 2, 3}, 0.5, std::numeric_limits<double>::infinity()},
+                               graze::wall<3>{{1, 2, 3}, {{{1, 0, 0}, {0, 1, 0}}}}};
+    const any_pair again = precision::from_line(precision::to_line(p));
+    CHECK(precision::numbers_of(std::get<1>(again)) == precision::numbers_of(std::get<1>(p)));
+}
+
+TEST_CASE("the flag is blamed that all losing sets have and no other") {
+    const auto write = [](const char* name, const std::string& text) {
+        std::ofstream(name) << text;
+        return std::filesystem::path(name);
+    };
+    const auto strict = write("strict.txt", "flags -O2 -g\nmeasured 3\n");
+    const auto fast = write("fast.txt", "flags -O2 -ffast-math\nmeasured 3\nlost time/a/double/far\n");
+    const auto both = write("both.txt", "flags -O3 -ffast-math -g\nmeasured 3\nlost time/a/double/far\n");
+    std::ostringstream out;
+    CHECK(precision::which_flag({strict, fast, both}, out));
+    CHECK(out.str() == "lost by -ffast-math: 1 figures, such as time/a/double/far\n");
+    CHECK_FALSE(precision::which_flag({strict}, out));
+    CHECK_THROWS_AS(precision::which_flag({"none.txt"}, out), std::runtime_error);
+}
