@@ -51,7 +51,7 @@ TEST_CASE("errors are fractions of a unit in the last place") {
 }
 
 TEST_CASE("each figure that gates is compared, and the median is not") {
-    const precision::figures before{100, 1, 50, 10, 2.0, 0.5};
+    const precision::figures before{100, 1, 50, 10, 2.0, 0.5, false, {}, {}, {}};
     const auto lost = [&](auto change) {
         precision::figures now = before;
         change(now);

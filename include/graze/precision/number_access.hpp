@@ -85,7 +85,7 @@ struct number_type {
     std::string name;
     int digits = 53;
     int lowest = std::numeric_limits<int>::min();
-    double (*held)(double) = nullptr; // x as the type holds it
+    double (*held)(double) = nullptr; // x as the type holds it; one of 53 digits or more holds every double
 };
 
 // The name without spaces; that of long double with its digits, which differ between platforms. A type without a number
@@ -111,7 +111,11 @@ template <number T>
         }
     }
     type.held = [](double x) {
-        const reading r = number_access<T>::read(number_access<T>::from(x));
+        const T value = number_access<T>::from(x);
+        if (traits::digits >= 53) {
+            return x;
+        }
+        const reading r = number_access<T>::read(value);
         double sum = 0;
         for (const double part : r.parts) {
             sum += part;
