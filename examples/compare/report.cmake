@@ -5,6 +5,7 @@ add_library(compare_report STATIC
   ${CMAKE_CURRENT_LIST_DIR}/whole_file.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/decisions.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/distribution.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report/exactness.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/gnuplot.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/hardness.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/matrix.cpp

@@ -9,6 +9,8 @@
 #include "report/words.hpp"
 #include "whole_file.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -147,6 +149,8 @@ void page::section(const std::string& id, const std::string& head, const std::fu
 void page::pictures() {
     section("speed", words::speed,
             [&] { figure([&](format f) { return speed_picture(found_, f); }, "Nothing was timed."); });
+    section("exactness", words::exactness,
+            [&] { figure([&](format f) { return exactness_picture(found_, f); }, "Without times there is no cost."); });
     section("digits", words::digits, [&] {
         figure([&](format f) { return matrix_picture(found_, f); }, "No type was good enough, or nothing was timed.");
         fold("Digits wanted, by group", matrix_table(found_));
@@ -203,20 +207,44 @@ std::string page::html() {
 
 void write_report(const results& found, const std::string& path) { write_whole_file(path, page(found).html()); }
 
-void write_picture(const results& found, const std::string& path) {
-    std::string svg = speed_picture(found, format::wide);
-    if (svg.empty()) {
-        throw std::runtime_error(path + ": there is no picture to write: nothing was timed");
-    }
+void write_picture_file(std::string svg, std::string command, const std::string& path) {
     svg.insert(svg.find('\n') + 1, "<style>\n" + picture_style() + "svg { background: var(--paper); }\n</style>\n");
     svg.insert(4, " xmlns=\"http://www.w3.org/2000/svg\"");
-    // A comment may not hold two hyphens.
-    std::string command = found.command;
     for (std::size_t at = 0; (at = command.find("--", at)) != std::string::npos;) {
-        command.replace(at, 2, "-\u2060-");
+        command.replace(at, 2, "-\u2060-"); // a comment may not hold two hyphens
     }
     write_whole_file(path,
                      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Made by: " + escaped(command) + " -->\n" + svg);
+}
+
+void write_picture(const results& found, const std::string& path) {
+    const std::string svg = speed_picture(found, format::wide);
+    if (svg.empty()) {
+        throw std::runtime_error(path + ": there is no picture to write: nothing was timed");
+    }
+    write_picture_file(svg, found.command, path);
+}
+
+std::vector<std::string> write_pictures(const results& found, const std::string& stem) {
+    std::vector<std::string> written;
+    const auto add = [&](const std::string& name, const std::string& svg) {
+        if (!svg.empty()) {
+            write_picture_file(svg, found.command, stem + name + ".svg");
+            written.push_back(stem + name + ".svg");
+        }
+    };
+    add("speed", speed_picture(found, format::wide));
+    add("exactness", exactness_picture(found, format::wide));
+    add("digits", matrix_picture(found, format::wide));
+    add("decisions", decisions_picture(found, format::wide));
+    for (const auto& g : found.groups) {
+        std::string name = g.name;
+        std::ranges::replace_if(
+            name, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
+        add("distribution-" + name, distribution_picture(found, g, true));
+        add("hardness-" + name, hardness_picture(found, g, quantity::time, true));
+    }
+    return written;
 }
 
 } // namespace compare

@@ -36,6 +36,7 @@ namespace {
 
 void check_pictures(const eyes::seen_page& page) {
     CHECK(count_of(page, "speed") == 1);
+    CHECK(count_of(page, "exactness") == 1);
     CHECK(count_of(page, "matrix") == 1);
     CHECK(count_of(page, "decisions") == 1);
     CHECK(count_of(page, "distribution") == 4); // one a group
@@ -47,7 +48,7 @@ void check_pictures(const eyes::seen_page& page) {
         CHECK(p.drawn >= 12);
         CHECK(p.ink > 0.01);
         CHECK(p.colours >= 4);
-        if (p.name == "speed") {
+        if (p.name == "speed" || p.name == "exactness") {
             CHECK(p.named_points == 114); // 9 types with Kahan's form, 7 without: 9 · 8 + 7 · 6
         }
     }

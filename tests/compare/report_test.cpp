@@ -184,6 +184,32 @@ TEST_CASE("the picture alone is well-formed, small, and has its own dark colours
     CHECK(files_in(room.path) == 1);
 }
 
+TEST_CASE("every picture of the report is a file too") {
+    const scratch room;
+    const auto written = compare::write_pictures(sample_results(), (room.path / "book-").string());
+    CHECK(written.size() == files_in(room.path));
+    for (const char* name : {"book-speed.svg", "book-exactness.svg", "book-digits.svg", "book-decisions.svg"}) {
+        CAPTURE(name);
+        CHECK(count(contents(room.path / name), "xmlns=") == 1);
+    }
+    CHECK(std::ranges::count_if(written, [](const std::string& w) { return count(w, "hardness-") == 1; }) == 3);
+}
+
+TEST_CASE("an answer is right to the last bit or not") {
+    compare::results found;
+    found.groups.emplace_back().name = "group";
+    found.groups[0].pairs = 10;
+    auto& peer = found.rows.emplace_back();
+    peer.type = "peer", peer.group = "group", peer.nanoseconds = 7;
+    peer.decisions.evaluated = 10, peer.decisions.hit_or_miss = 1;
+    peer.error(compare::quantity::time).count = 6, peer.error(compare::quantity::time).correctly_rounded = 4;
+    const auto all = candidates(found);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].imperfect == doctest::Approx(0.3));
+    CHECK(all[0].name() == "peer"); // without a variant
+    CHECK(count(exactness_picture(found, format::wide), "<title>peer: ") == 1);
+}
+
 TEST_CASE("the front holds what nothing beats, among those that decide right") {
     compare::results found;
     found.groups.emplace_back().name = "group";

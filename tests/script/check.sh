@@ -8,6 +8,7 @@ mkdir -p "$work/bin" "$work/tree/.ci" "$work/elsewhere"
 cp "$root/graze" "$work/tree"
 printf '# remark\nhere\nabsent\n' >"$work/tree/.ci/packages-compare.txt"
 printf 'absent-too # remark\nunknown\n' >"$work/tree/.ci/packages-test.txt"
+printf 'absent-three\n' >"$work/tree/.ci/packages-report.txt"
 
 # Each stand-in writes down how it was called; only "here" is installed, "unknown" exists nowhere.
 stand_in() { printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n%s\n' "$1" "$work" "$2" >"$work/bin/$1"; }
@@ -23,6 +24,10 @@ program=build/release/examples/compare/graze-compare
 mkdir -p "$work/tree/${program%/*}"
 printf '#!/bin/sh\nprintf "graze-compare in %%s:" "$(pwd)"\nprintf " <%%s>" "$@"\n' >"$work/tree/$program"
 chmod +x "$work/tree/$program"
+peers=build/release/tests/speed/peers/graze-peers
+mkdir -p "$work/tree/${peers%/*}"
+printf '#!/bin/sh\nprintf "graze-peers:"; printf " <%%s>" "$@"\n' >"$work/tree/$peers"
+chmod +x "$work/tree/$peers"
 PATH=$work/bin:$PATH
 export PATH
 
@@ -44,7 +49,7 @@ complain() {
 has() { grep -qe "$2" "$work/$1" || complain "'$2' is not in $1"; }
 lacks() { ! grep -qe "$2" "$work/$1" || complain "'$2' is in $1"; }
 
-run 2; has err 'compare or test'; lacks calls .
+run 2; has err 'compare, report or test'; lacks calls .
 run 2 comapre; has err "unknown command 'comapre'"; lacks calls .
 run 2 --fast compare; has err "unknown command '--fast'"
 run 0 --help; has out '^Usage: ./graze compare'; lacks calls .
@@ -75,6 +80,16 @@ has calls '^apt-get install .* absent absent-too$'
 has calls '^cmake --preset release -DGRAZE_BUILD_TESTS=ON'
 has calls '^cmake --build build/release --target all'
 has calls '^ctest --preset release .*-R a b'
+
+run 0 report --no-install 'a book'
+has calls '^cmake --build build/release --target graze-compare graze-peers'
+has calls '^cmake --preset release -DGRAZE_BUILD_TESTS=ON'
+has out 'a book/index.html$'
+what='the book'; cp "$work/elsewhere/a book/types.txt" "$work/elsewhere/a book/peers.md" "$work"
+has types.txt '<--json> <a book/types.json>$'
+has peers.md '<--book> <a book> <--with> <a book/types.json> <--with> <a book/near_contact.json>$'
+run 0 report; has out 'installing with apt: absent absent-too unknown absent-three$'
+run 2 report --no-install one two; has err 'one folder, not 2'
 
 APT_STATUS=100; export APT_STATUS
 run 100 compare; has err 'this failed: as_root apt-get update'; lacks calls cmake

@@ -21,7 +21,7 @@ struct line_of_map {
 [[nodiscard]] std::vector<line_of_map> lines_of(const results& found) {
     std::vector<line_of_map> lines;
     for (const auto& r : found.rows) {
-        const std::string name = r.type + " · " + r.variant;
+        const std::string name = r.variant.empty() ? r.type : r.type + " · " + r.variant;
         auto at = std::ranges::find(lines, name, &line_of_map::name);
         if (at == lines.end()) {
             at = lines.insert(lines.end(), {name, std::vector<decision_counts>(found.groups.size())});

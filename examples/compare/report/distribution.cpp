@@ -1,6 +1,7 @@
 // The distribution of errors.
 #include "pictures.hpp"
 
+#include "key.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 
@@ -41,8 +42,8 @@ void take(distribution& d, const error_statistics& e) {
 
 } // namespace
 
-std::string distribution_picture(const results& found, const group_information& group) {
-    picture p("distribution", 360, 300,
+std::string distribution_picture(const results& found, const group_information& group, bool keyed) {
+    picture p("distribution", 360, 300 + key_height(found, keyed),
               "The share of the times of impact whose error is at most so many units in the last place of a double");
     std::string blocks, plots;
     int number = 0;
@@ -64,7 +65,9 @@ std::string distribution_picture(const results& found, const group_information& 
     if (number == 0) {
         return {};
     }
-    p.margins(44, 10, 26, 46);
+    p.margins(44, 10, 26, 46 + key_height(found, keyed));
+    const auto screen_y = [&](double pixel) { return "screen " + exactly(pixel / p.height()); };
+    add_key(p, found, keyed);
     p.add("set xrange [" + std::to_string(smallest) + ":" + std::to_string(greatest) + "]");
     p.add("set yrange [0:101]");
     std::vector<std::pair<double, std::string>> tics;
@@ -74,8 +77,8 @@ std::string distribution_picture(const results& found, const group_information& 
     p.tics('x', tics);
     p.tics('y', {{0, "0 %"}, {25, "25 %"}, {50, "50 %"}, {75, "75 %"}, {100, "100 %"}});
     p.add("set arrow from -1,graph 0 to -1,graph 1 nohead back lw 1 dt (4,4) lc " + picture::colour(ink::muted));
-    p.label("share of the times", "screen 0.008", "screen 0.955", "left", ink::muted);
-    p.label("error of τ in ulps →", "graph 1", "screen 0.035", "right", ink::muted);
+    p.label("share of the times", "screen 0.008", screen_y(p.height() - 13.5), "left", ink::muted);
+    p.label("error of τ in ulps →", "graph 1", screen_y(key_height(found, keyed) + 10.5), "right", ink::muted);
     p.label("½ ulp", "first -0.3", "graph 0.04", "left", ink::muted, 11);
     p.add(blocks + "plot " + plots.substr(2));
     return p.svg();

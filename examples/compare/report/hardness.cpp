@@ -1,6 +1,7 @@
 // Error against hardness.
 #include "pictures.hpp"
 
+#include "key.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 
@@ -63,7 +64,7 @@ namespace {
 
 } // namespace
 
-std::string hardness_picture(const results& found, const group_information& group, quantity what) {
+std::string hardness_picture(const results& found, const group_information& group, quantity what, bool keyed) {
     const auto own = envelope(group, what);
     std::string blocks, plots;
     double most = 0;
@@ -75,7 +76,8 @@ std::string hardness_picture(const results& found, const group_information& grou
             any = true;
         }
     };
-    picture p("hardness", 360, 300, "Bits lost by number types against " + group.hardness_name);
+    picture p("hardness", 360, 300 + key_height(found, keyed),
+              "Bits lost by number types against " + group.hardness_name);
     int number = 0;
     for (const auto& l : chosen_lines(found)) {
         const auto points = bits_lost(found, group, l, what);
@@ -96,13 +98,15 @@ std::string hardness_picture(const results& found, const group_information& grou
         plots = ", $own using 1:2 with filledcurves y1=0 fs transparent solid 0.16 noborder lc " +
                 picture::colour(ink::muted) + plots;
     }
-    p.margins(34, 8, 26, 46);
+    p.margins(34, 8, 26, 46 + key_height(found, keyed));
+    const auto screen_y = [&](double pixel) { return "screen " + exactly(pixel / p.height()); };
+    add_key(p, found, keyed);
     p.add("set xrange [" + std::to_string(first) + ":" + std::to_string(std::max(last, first + 1)) + "]");
     p.add("set yrange [-1:" + exactly(std::min(std::max(most, 10.0), 124.0) * 1.03) + "]");
     p.add("set xtics 10");
     p.add("set ytics 10");
-    p.label("bits lost", "screen 0.008", "screen 0.955", "left", ink::muted);
-    p.label(group.hardness_name + " →", "graph 1", "screen 0.035", "right", ink::muted);
+    p.label("bits lost", "screen 0.008", screen_y(p.height() - 13.5), "left", ink::muted);
+    p.label(group.hardness_name + " →", "graph 1", screen_y(key_height(found, keyed) + 10.5), "right", ink::muted);
     p.add(blocks + "plot " + plots.substr(2));
     return p.svg();
 }

@@ -14,11 +14,17 @@ enum class format { wide, narrow };
 // Nanoseconds against the largest relative error of the time of impact, every type, variant and root form a point.
 [[nodiscard]] std::string speed_picture(const results& found, format size);
 
+// Nanoseconds against the share of the answers that are not right to the last bit.
+[[nodiscard]] std::string exactness_picture(const results& found, format size);
+
 // For one group with a hardness: bits lost against k, with what the conditioning alone explains.
-[[nodiscard]] std::string hardness_picture(const results& found, const group_information& group, quantity what);
+// keyed: its lines are named beneath it, where no page does that.
+[[nodiscard]] std::string hardness_picture(const results& found, const group_information& group, quantity what,
+                                           bool keyed = false);
 
 // For one group: which share of the times have at most which error.
-[[nodiscard]] std::string distribution_picture(const results& found, const group_information& group);
+[[nodiscard]] std::string distribution_picture(const results& found, const group_information& group,
+                                               bool keyed = false);
 
 // Wrong and open decisions, a row a type and variant, a column a group.
 [[nodiscard]] std::string decisions_picture(const results& found, format size);

@@ -2,8 +2,8 @@
 #include "pictures.hpp"
 
 #include "error_axis.hpp"
+#include "marks.hpp"
 #include "placement.hpp"
-#include "summary.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -15,22 +15,6 @@
 
 namespace compare::report {
 namespace {
-
-// gnuplot's filled markers: triangle, square, diamond, circle. The hollow one's number is one less.
-[[nodiscard]] int marker_of(const std::string& variant) {
-    return variant == "textbook" ? 9 : variant == "halved" ? 5 : variant == "kahan" ? 13 : 7;
-}
-
-[[nodiscard]] ink colour_of(const candidate& c) {
-    if (c.is_exact()) {
-        return ink::best;
-    }
-    if (c.information == nullptr) {
-        return ink::four;
-    }
-    const bool of_machine = c.information->library == "built in" && c.information->digits <= 64;
-    return c.information->is_interval ? ink::open : of_machine ? ink::one : ink::four;
-}
 
 [[nodiscard]] bool is_plain(const candidate& c) { return is_plain_double(c.type, c.variant, c.root); }
 
@@ -114,11 +98,14 @@ class speed_plot {
 };
 
 void speed_plot::key() {
-    const double below = key_line({{7, ink::one, "machine floating point"},
-                                   {7, ink::four, "software floating point"},
-                                   {7, ink::open, "intervals"},
-                                   {7, ink::best, "exact"}},
-                                  12);
+    std::vector<std::tuple<int, ink, std::string>> kinds = {{7, ink::one, "machine floating point"},
+                                                            {7, ink::four, "software floating point"},
+                                                            {7, ink::open, "intervals"},
+                                                            {7, ink::best, "exact, and graze"}};
+    if (std::ranges::any_of(points_, is_peer)) {
+        kinds.emplace_back(7, ink::five, "collision libraries");
+    }
+    const double below = key_line(kinds, 12);
     top_ = 24 + key_line({{marker_of("textbook"), ink::muted, "textbook"},
                           {marker_of("halved"), ink::muted, "halved"},
                           {marker_of("kahan"), ink::muted, "kahan"},
@@ -192,12 +179,18 @@ std::vector<box> speed_plot::occupied() const {
     return all;
 }
 
-// Plain double and the front; where there is little room, a type is named once, at its fastest.
+// Plain double, the front, and what is not a formula in a type; where there is little room, a type is named once, at
+// its fastest.
 std::vector<const candidate*> speed_plot::named() const {
     std::vector<const candidate*> all = front_;
     if (narrow_) {
         std::set<std::string> types;
         std::erase_if(all, [&](const candidate* c) { return !types.insert(c->type).second; });
+    }
+    for (const auto& c : points_) { // graze and libraries' own
+        if (c.variant.empty() && std::ranges::find(all, &c) == all.end()) {
+            all.push_back(&c);
+        }
     }
     const auto plain = std::ranges::find_if(points_, is_plain);
     if (plain != points_.end() && std::ranges::find(all, &*plain) == all.end()) {

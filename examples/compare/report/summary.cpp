@@ -34,6 +34,9 @@ void mark_front(std::vector<candidate>& all) {
 } // namespace
 
 std::string name_of(const std::string& type, const std::string& variant, const std::string& root) {
+    if (variant.empty()) {
+        return type;
+    }
     return type + " · " + variant + (root == "printed" ? "/printed" : "");
 }
 
@@ -62,13 +65,21 @@ std::vector<candidate> candidates(const results& found, const std::string& group
         if (std::isfinite(o.how.nanoseconds)) {
             c.nanoseconds = o.how.nanoseconds;
         }
+        std::size_t evaluated = 0, misrounded = 0;
         for (const auto& r : found.rows) {
             if (r.type == c.type && r.variant == c.variant && r.root == c.root && (group.empty() || r.group == group)) {
                 c.wrong += r.decisions.wrong();
                 c.undecided += r.decisions.undecided;
-                c.times += r.error(quantity::time).count + r.error(quantity::crossing).count;
+                evaluated += r.decisions.evaluated;
+                for (const quantity q : {quantity::time, quantity::crossing}) {
+                    c.times += r.error(q).count;
+                    misrounded += r.error(q).count - r.error(q).correctly_rounded;
+                }
             }
         }
+        c.imperfect = evaluated == 0
+                          ? 0
+                          : static_cast<double>(c.wrong + c.undecided + misrounded) / static_cast<double>(evaluated);
     }
     mark_front(all);
     return all;
@@ -104,7 +115,8 @@ std::vector<line> chosen_lines(const results& found) {
     for (const auto* t : types) {
         if (!t->is_exact && t->alias_of.empty()) {
             static_cast<void>(add(t->name, "lagrange", "stable") || add(t->name, "halved", "stable") ||
-                              add(t->name, "textbook", "stable") || add(t->name, "textbook", "printed"));
+                              add(t->name, "textbook", "stable") || add(t->name, "textbook", "printed") ||
+                              add(t->name, "", ""));
         }
     }
     return lines;

@@ -17,6 +17,7 @@ struct candidate {
     std::optional<double> nanoseconds;             // mean of the groups, weighted by their pairs; absent if untimed
     std::size_t wrong = 0, undecided = 0;
     std::size_t times = 0;  // values of τ and of crossings that were measured
+    double imperfect = 0;   // share of the pairs whose decision or time is not right to the last bit of a double
     double fewest_bits = 0; // correct bits of the worst of them; infinite without any error, or without any
     bool on_front = false;  // among those without a wrong or open decision, if there are any, nothing is both cheaper
                             // and better
@@ -26,7 +27,8 @@ struct candidate {
     [[nodiscard]] std::string name() const;
 };
 
-// "double · lagrange"; with the printed root "double · lagrange/printed", as the option --variants has it.
+// "double · lagrange"; with the printed root "double · lagrange/printed", as the option --variants has it;
+// without a variant the type alone.
 [[nodiscard]] std::string name_of(const std::string& type, const std::string& variant, const std::string& root);
 
 // Without the namespace, for where there is little room.

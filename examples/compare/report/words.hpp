@@ -24,8 +24,9 @@ for (const kind of ['click', 'mouseover']) addEventListener(kind, event => {
 </html>
 )";
 
-inline constexpr const char* navigation = R"(<nav><a href="#speed">Speed and error</a> <a href="#digits">Digits</a>
-<a href="#decisions">Decisions</a> <a href="#distribution">Distribution</a> <a href="#hardness">Hardness</a>
+inline constexpr const char* navigation =
+    R"(<nav><a href="#speed">Speed and error</a> <a href="#exactness">Exactness</a>
+<a href="#digits">Digits</a> <a href="#decisions">Decisions</a> <a href="#distribution">Distribution</a> <a href="#hardness">Hardness</a>
 <a href="#tables">Tables</a></nav>
 )";
 
@@ -33,6 +34,11 @@ inline constexpr const char* speed = R"(<h2>Speed against error</h2>
 <p>Each point is one number type with one form of the discriminant and of the root. Further left is faster, further down
 is more exact; the lowest line has no error at all. The green staircase joins the best of those that decided every pair
 right. <span class="pointing">Point at or touch a mark to read its name.</span></p>
+)";
+
+inline constexpr const char* exactness = R"(<h2>Exactness against cost</h2>
+<p>Which share of the answers is not what rounding the exact answer once would give: the decision is wrong or left open, or
+the time is not the nearest double. Further left is faster, further down is more often right; the lowest line is always right.</p>
 )";
 
 inline constexpr const char* digits = R"(<h2>Digits wanted, and what they cost</h2>

@@ -1,4 +1,5 @@
 // graze-peers: graze, plain doubles and the libraries that one would take instead, on the same inputs in one run.
+#include "book.hpp"
 #include "measure.hpp"
 #include "sections.hpp"
 #include "trials.hpp"
@@ -10,6 +11,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 namespace {
 
@@ -22,7 +24,8 @@ int run(int argc, char** argv) {
     std::uint64_t seed = 1;
     double timing = 0.5;
     bool every = false;
-    std::string json;
+    std::string json, book;
+    std::vector<std::string> chapters;
     app.add_option("--count", count, "Questions of each trial")->check(CLI::Range(1, 100'000))->capture_default_str();
     app.add_option("--seed", seed, "The seed of the questions")->capture_default_str();
     app.add_option("--timing", timing, "Seconds to spend on the times of a trial; 0: nothing is timed")
@@ -30,7 +33,14 @@ int run(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--every", every, "Every variant in every number type of the machine, not double's first and last");
     app.add_option("--json", json, "Write the results to FILE-balls-2d.json and so on, which graze-compare reads");
+    app.add_option("--book", book, "Write the picture book to this folder: index.html, and every picture as SVG");
+    app.add_option("--with", chapters, "Results of graze-compare (--json) to put into the book first")
+        ->check(CLI::ExistingFile);
     CLI11_PARSE(app, argc, argv);
+    std::vector<peers::chapter> all;
+    for (const std::string& path : chapters) {
+        all.push_back({std::filesystem::path(path).stem().string(), compare::read_results(path)});
+    }
 
     std::vector<std::string> missing;
     const std::vector<peers::entry> entries = peers::all_entries(every, missing);
@@ -41,10 +51,16 @@ int run(int argc, char** argv) {
     }
     for (const peers::section& s : peers::measure_sections(entries, seed, count, timing)) {
         std::fputs(peers::table_of(s, entries).c_str(), stdout);
+        const compare::results found = peers::results_of(s, entries, command, seed);
         if (!json.empty()) {
-            compare::write_whole_file(json + '-' + s.file_name + ".json",
-                                      compare::to_json(peers::results_of(s, entries, command, seed)));
+            compare::write_whole_file(json + '-' + s.file_name + ".json", compare::to_json(found));
         }
+        all.push_back({s.file_name, found});
+    }
+    const auto rates = peers::fallback_rates(seed, count);
+    std::fputs(peers::table_of(rates).c_str(), stdout);
+    if (!book.empty()) {
+        peers::write_book(book, all, rates, command);
     }
     return 0;
 }

@@ -44,6 +44,8 @@ struct trial {
     thing what = thing::ball;
     std::variant<scenes<2>, scenes<3>> exactly;
     std::vector<question> questions;
+    std::string hardness_name{}; // what the k of the questions means, and the k of each; empty where there is none
+    std::vector<int> hardness{};
 
     [[nodiscard]] bool in_space() const { return exactly.index() == 1; }
 };

@@ -82,13 +82,20 @@ std::vector<section> measure_sections(const std::vector<entry>& entries, std::ui
         all.back().scores.push_back(measure(t, entries, timing));
         all.back().trials.push_back(std::move(t));
     }
+    all.push_back({"balls from easy to hard, in space", "hardness", {}, {}});
+    for (trial& t : trials_by_hardness(seed, count)) {
+        std::fprintf(stderr, "measuring %s: %s\n", all.back().name.c_str(), t.name.c_str());
+        all.back().scores.push_back(measure(t, entries, timing));
+        all.back().trials.push_back(std::move(t));
+    }
     return all;
 }
 
 std::string description_of(const std::vector<entry>& entries, const std::vector<std::string>& missing,
                            std::size_t count, std::uint64_t seed) {
     std::string text = std::to_string(count) + " questions a trial, seed " + std::to_string(seed) +
-                       ". A cell: missed / invented · largest (median) relative error of τ · time of one answer.\n\n"
+                       ". A cell: missed / invented · largest (median) relative error of τ · time of one answer (lower "
+                       "quartile of the repeats).\n\n"
                        "| | settings | promises |\n|---|---|---|\n";
     for (const entry& e : entries) {
         text += "| " + name_of(e) + (e.version.empty() || e.version == e.name ? "" : " (" + e.version + ")") + " | " +
@@ -148,6 +155,7 @@ compare::results results_of(const section& s, const std::vector<entry>& entries,
         g.name = s.trials[t].name;
         g.description = s.trials[t].description;
         g.dimension = s.trials[t].in_space() ? 3 : 2;
+        g.hardness_name = s.trials[t].hardness_name;
         g.pairs = g.pairs_of = s.trials[t].questions.size();
         found.groups.push_back(g);
         for (const auto& one : s.scores[t]) {

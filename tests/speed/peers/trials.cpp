@@ -127,7 +127,7 @@ void add(trial& t, const scene<N>& s, const question& q) {
 template <int N>
 trial from_family(const char* name, const char* family_name, int hardness, std::uint64_t seed, std::size_t count,
                   const char* description) {
-    trial t{name, description, thing::ball, scenes<N>{}, {}};
+    trial t{name, description, thing::ball, scenes<N>{}, {}, {}, {}};
     const families::family& f = *families::find_family(family_name);
     const bool parting = t.name == "parting";
     for (std::uint64_t index = 0; t.questions.size() < count; ++index) {
@@ -143,7 +143,7 @@ trial from_family(const char* name, const char* family_name, int hardness, std::
 template <int N>
 trial from_boxes(const char* name, thing what, approach how, int k, std::uint64_t seed, std::size_t count,
                  const char* description) {
-    trial t{name, description, what, scenes<N>{}, {}};
+    trial t{name, description, what, scenes<N>{}, {}, {}, {}};
     for (std::uint64_t index = 0; t.questions.size() < count; ++index) {
         const auto m = draw_box<N>(how, k, what == thing::edge, seed, index);
         const auto s = scene_of<N>(m);
@@ -178,7 +178,27 @@ void add_boxes(std::vector<trial>& all, thing what, std::uint64_t seed, std::siz
     all.push_back(from_boxes<N>("parting", what, approach::parting, 0, seed, count, of_parting));
 }
 
+// Balls in space of a family, of every hardness.
+trial by_hardness(const char* name, const char* family_name, std::uint64_t seed, std::size_t count) {
+    const families::family& f = *families::find_family(family_name);
+    trial t{name, std::string(f.what_makes_it_hard), thing::ball, scenes<3>{}, {}, std::string(f.hardness), {}};
+    for (std::uint64_t index = 0; t.questions.size() < count; ++index) {
+        const auto pair = f.draw<3>(seed, index);
+        const scene<3> s{pair.a, pair.b, {}};
+        if (is_asked(s, false)) {
+            add(t, s, question_of<3>(s));
+            t.hardness.push_back(pair.hardness);
+        }
+    }
+    return t;
+}
+
 } // namespace
+
+std::vector<trial> trials_by_hardness(std::uint64_t seed, std::size_t count) {
+    return {by_hardness("grazing", "grazing", seed, count), by_hardness("far", "far", seed, count),
+            by_hardness("near contact", "near_contact", seed, count)};
+}
 
 std::vector<trial> all_trials(std::uint64_t seed, std::size_t count) {
     std::vector<trial> all;

@@ -13,4 +13,7 @@ namespace peers {
 // those that part.
 [[nodiscard]] std::vector<trial> all_trials(std::uint64_t seed, std::size_t count);
 
+// Balls in space that graze, are far apart or almost touch, from easy to hard.
+[[nodiscard]] std::vector<trial> trials_by_hardness(std::uint64_t seed, std::size_t count);
+
 } // namespace peers
