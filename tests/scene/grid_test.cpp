@@ -163,7 +163,7 @@ struct hesitant : graze::plain_mechanics<2, double> {
 } // namespace
 
 TEST_CASE("with and without cells the sequence is the same, bit for bit") {
-    CHECK(cells_have_no_part<2>(150, 400));
+    CHECK(cells_have_no_part<2>(500, 400));
     CHECK(cells_have_no_part<3>(150, 300));
 }
 
