@@ -92,12 +92,13 @@ struct plain_mechanics {
     constexpr void bounce(state& a, state& b, const T& when) const {
         const T from = later(a, b);
         const auto s = solve<V, F>(ball_at(a, from), ball_at(b, from));
-        if (!immovable(a)) {
-            leave(a, s.position_a, s.velocity_a, when);
+        if (!is_collision(s.what)) { // where multiply-adds are fused here and were not in meet
+            pass(a, when);
+            pass(b, when);
+            return;
         }
-        if (!immovable(b)) {
-            leave(b, s.position_b, s.velocity_b, when);
-        }
+        leave(a, s.position_a, s.velocity_a, when);
+        leave(b, s.position_b, s.velocity_b, when);
     }
     constexpr void bounce(state& a, const plane<N, T>& p, const T& when) const { bounce_off(a, p, when); }
     constexpr void bounce(state& a, const wall<N, T>& w, const T& when) const { bounce_off(a, w, when); }
@@ -145,15 +146,23 @@ struct plain_mechanics {
         const auto still = make_vec<N>([](int) { return T(0); });
         return {w.corner, wall_motion_of(still, still, w.edge, T(0)).n};
     }
-    static constexpr void leave(state& a, const vec<N, T>& position, const vec<N, T>& velocity, const T& when) {
-        a.state.position = position;
-        a.state.velocity = velocity;
-        a.since = when;
+    constexpr void leave(state& a, const vec<N, T>& position, const vec<N, T>& velocity, const T& when) const {
+        if (!immovable(a)) {
+            a.state.position = position;
+            a.state.velocity = velocity;
+            a.since = when;
+        }
     }
+    // A graze of which nothing is left.
+    constexpr void pass(state& a, const T& when) const { leave(a, ball_at(a, when).position, a.state.velocity, when); }
     template <class S>
     constexpr void bounce_off(state& a, const S& standing, const T& when) const {
         const auto s = solve<V, F>(a.state, standing);
-        leave(a, s.position, s.velocity, when);
+        if (is_collision(s.what)) {
+            leave(a, s.position, s.velocity, when);
+        } else {
+            pass(a, when);
+        }
     }
 };
 
