@@ -1,0 +1,94 @@
+// What is said of flights does not depend on the rounding direction or on whether subnormals are flushed: decisions,
+// orders of times, contacts.
+#include "../environments/state.hpp"
+#include "../predicate/flight_answers.hpp"
+#include "../predicate/flight_families.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
+#include <vector>
+
+namespace {
+
+using environments::rounding;
+using pair = flight_families::pair<3>;
+
+// Drawn before the state is changed; some with instants, or velocities and instants, at the ends of the range.
+std::vector<pair> drawn() {
+    std::vector<pair> all;
+    for (std::uint64_t index = 0; index < 400; ++index) {
+        auto p = flight_families::draw<3>(static_cast<unsigned>(index % 5), 31, index);
+        if (index % 7 == 3) {
+            const double unit = std::ldexp(1.0, -1074 + static_cast<int>(index % 60));
+            p.a.since *= unit;
+            p.b.since *= unit;
+        }
+        if (index % 7 == 5 && index % 5 < 2) {
+            const int power = static_cast<int>(index % 13) * 150 - 900;
+            for (auto* f : {&p.a, &p.b}) {
+                f->since = std::ldexp(f->since, power);
+                for (double& u : f->state.velocity.component) {
+                    u = std::ldexp(u, -power);
+                }
+            }
+        }
+        all.push_back(p);
+    }
+    return all;
+}
+
+std::vector<std::uint64_t> said_of(const std::vector<pair>& pairs) {
+    std::vector<std::uint64_t> said;
+    const auto number = [&](double x) { said.push_back(std::bit_cast<std::uint64_t>(x)); };
+    const auto vector = [&](const graze::vec<3, double>& v) {
+        for (const double& x : v.component) {
+            number(x);
+        }
+    };
+    std::optional<graze::flight_time<3>> last;
+    for (const pair& p : pairs) {
+        const auto found = flight_answers::of(p.a, p.b);
+        said.push_back(static_cast<std::uint64_t>(found.what) * 2 + (found.overlaps ? 1 : 0));
+        if (found.contact) {
+            number(found.contact->time);
+            vector(found.contact->position_a);
+            vector(found.contact->position_b);
+            vector(found.contact->normal);
+            vector(found.contact->velocity_a);
+            vector(found.contact->velocity_b);
+            const auto rounded = flight_answers::rounded(*found.time);
+            number(rounded.lower);
+            number(rounded.upper);
+            auto told = graze::stage::filter;
+            said.push_back(last ? static_cast<std::uint64_t>(flight_answers::order_of(*found.time, *last, told)) : 0);
+            last = found.time;
+        }
+    }
+    return said;
+}
+
+} // namespace
+
+TEST_CASE("Flights in every rounding direction, subnormals kept or flushed") {
+    const auto pairs = drawn();
+    const auto expected = said_of(pairs);
+    REQUIRE(expected.size() > 2 * pairs.size());
+    environments::save_state();
+    for (const auto direction : {rounding::nearest, rounding::upward, rounding::downward, rounding::towards_zero}) {
+        for (const bool flush : {false, true}) {
+            if (flush && !environments::can_flush()) {
+                continue;
+            }
+            const bool set = environments::set_state(direction, flush);
+            const auto said = said_of(pairs);
+            environments::restore_state();
+            CAPTURE(name_of(direction));
+            CAPTURE(flush);
+            CHECK(set);
+            CHECK(said == expected);
+        }
+    }
+}
