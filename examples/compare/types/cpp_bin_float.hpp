@@ -1,7 +1,9 @@
 // Reads Boost's cpp_bin_float.
 #pragma once
 
-#include "../measure.hpp"
+#include "../reader.hpp"
+
+#include <graze/number/boost.hpp>
 
 namespace compare {
 

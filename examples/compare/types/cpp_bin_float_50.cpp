@@ -1,3 +1,4 @@
+#include "../measure.hpp"
 #include "cpp_bin_float.hpp"
 #include "types.hpp"
 

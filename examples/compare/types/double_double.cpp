@@ -1,32 +1,12 @@
+#include "double_double.hpp"
+
 #include "../measure.hpp"
 #include "types.hpp"
 
-#include <graze/number/qd.hpp>
-
-namespace compare {
-
-// The nearest double, and the nearest to what is left.
-template <>
-struct converter<dd_real> {
-    [[nodiscard]] static dd_real from(const exact& x) {
-        const double high = nearest_double(x);
-        return std::isfinite(high) ? dd_real(high, nearest_double(exact(x - exact_of(high)))) : dd_real(high);
-    }
-};
-
-template <>
-struct reader<dd_real> {
-    [[nodiscard]] static computed read(const dd_real& x, const true_value&) {
-        const bool finite = std::isfinite(x.x[0]) && std::isfinite(x.x[1]);
-        return finite ? computed(wide(wide_of(x.x[0]) + wide_of(x.x[1]))) : computed(not_finite{});
-    }
-};
-
-namespace types {
+namespace compare::types {
 
 measurable of_double_double() {
     return measurable_type<dd_real>("QD", false, "an unevaluated sum of two doubles; the exponent range of double");
 }
 
-} // namespace types
-} // namespace compare
+} // namespace compare::types

@@ -1,49 +1,10 @@
+#include "mpfr_float_50.hpp"
+
 #include "../measure.hpp"
-#include "gmp_exact.hpp"
 #include "types.hpp"
 
-#include <graze/number/mpfr.hpp>
-
-namespace compare {
-
-using mpfr_float_50 =
-    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50>, boost::multiprecision::et_off>;
-
-template <>
-struct converter<mpfr_float_50> {
-    [[nodiscard]] static mpfr_float_50 from(const exact& x) {
-        mpq_t rational;
-        mpq_init(rational);
-        set_rational(rational, x);
-        mpfr_float_50 result;
-        mpfr_set_q(result.backend().data(), rational, MPFR_RNDN);
-        mpq_clear(rational);
-        return result;
-    }
-};
-
-template <>
-struct reader<mpfr_float_50> {
-    [[nodiscard]] static computed read(const mpfr_float_50& x, const true_value&) {
-        const mpfr_srcptr value = x.backend().data();
-        if (mpfr_number_p(value) == 0) {
-            return not_finite{};
-        }
-        if (mpfr_zero_p(value) != 0) {
-            return wide(0);
-        }
-        mpz_t significand;
-        mpz_init(significand);
-        const mpfr_exp_t exponent = mpfr_get_z_2exp(significand, value);
-        const wide result = ldexp(wide(integer_of(significand)), exponent);
-        mpz_clear(significand);
-        return result;
-    }
-};
-
-namespace types {
+namespace compare::types {
 
 measurable of_mpfr_float_50() { return measurable_type<mpfr_float_50>("Boost on MPFR", true); }
 
-} // namespace types
-} // namespace compare
+} // namespace compare::types
