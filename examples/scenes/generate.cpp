@@ -2,6 +2,7 @@
 //
 // Everything is computed in integers, so that the files are the same, byte for byte, wherever this is compiled and run.
 #include "../families/random.hpp"
+#include "billiards.hpp"
 #include "scene_text.hpp"
 
 #include <array>
@@ -199,10 +200,14 @@ int main(int count, char** arguments) {
         return 2;
     }
     const std::string directory = arguments[1];
-    const std::array<std::pair<const char*, std::string>, 4> files{{{"pool_break", scenes::pool_break()},
+    const std::array<std::pair<const char*, std::string>, 8> files{{{"pool_break", scenes::pool_break()},
                                                                     {"hard_sphere_fluid", scenes::hard_sphere_fluid()},
                                                                     {"long_corridor", scenes::long_corridor()},
-                                                                    {"corner_pocket", scenes::corner_pocket()}}};
+                                                                    {"corner_pocket", scenes::corner_pocket()},
+                                                                    {"photon", scenes::photon()},
+                                                                    {"sinai", scenes::sinai()},
+                                                                    {"newtons_cradle", scenes::newtons_cradle()},
+                                                                    {"galperin", scenes::galperin()}}};
     for (const auto& [name, text] : files) {
         std::ofstream out(directory + "/" + name + ".json", std::ios::binary);
         out << text;
