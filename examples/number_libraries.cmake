@@ -1,6 +1,7 @@
 # The libraries whose number types graze has adapters for, each optional. graze_find_number_libraries() defines, for
 # those that are there,
-#   graze_number_boost  graze_number_gmp  graze_number_mpfr  graze_number_cgal  graze_number_qd  graze_number_float128
+#   graze_number_boost  graze_number_gmp  graze_number_mpfr  graze_number_mpfi  graze_number_cgal  graze_number_qd
+#   graze_number_float128
 # (link them after graze::graze) and prints a line for each that is not: which number types are dropped.
 include_guard(GLOBAL)
 include(CheckCXXSourceCompiles)
@@ -54,6 +55,7 @@ function(graze_find_number_libraries)
     graze_number_library(boost "cpp_bin_float, cpp_dec_float, cpp_rational" boost/multiprecision/number.hpp)
     graze_number_library(gmp "mpq_class, mpq_rational" gmpxx.h LIBRARIES gmpxx gmp)
     graze_number_library(mpfr "mpfr_float" mpfr.h LIBRARIES mpfr NEEDS boost gmp)
+    graze_number_library(mpfi "certified runs" mpfi.h LIBRARIES mpfi NEEDS boost gmp mpfr)
     graze_number_library(cgal "CGAL::Gmpq, CGAL::Lazy_exact_nt, CGAL::Interval_nt, CORE::Expr" CGAL/Lazy_exact_nt.h
         NEEDS boost gmp mpfr OPTIONS -frounding-math)
     graze_number_library(qd "dd_real, qd_real" qd/dd_real.h LIBRARIES qd)

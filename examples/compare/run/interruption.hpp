@@ -1,0 +1,11 @@
+// Ctrl-C ends a run, not the program: what has been found until then is told.
+#pragma once
+
+namespace compare::run {
+
+// From here on an interrupt from the terminal, or a request to terminate, is noted; a second one ends the program.
+void note_interruptions();
+
+[[nodiscard]] bool interrupted() noexcept;
+
+} // namespace compare::run

@@ -1,0 +1,260 @@
+// The certified run against scenes that are solved by hand or by other means.
+#include "run/certified_run.hpp"
+#include "run/sequence.hpp"
+#include "scene_reader.hpp"
+
+#include <graze/scene/run.hpp>
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+using namespace compare;
+using namespace compare::run;
+
+namespace {
+
+exact_scene<2> scene_of(const std::string& text) {
+    return std::get<exact_scene<2>>(read_scene_text(text, "test", number_input::exactly).scene);
+}
+
+exact_scene<2> scene_file_of(const std::string& name) {
+    return std::get<exact_scene<2>>(read_scene(GRAZE_SCENES "/" + name + ".json", number_input::exactly).scene);
+}
+
+certified_result<2> proved(const exact_scene<2>& scene, const extent& how_far, int digits = 15, long most = 1L << 16U) {
+    return certified_run<2>(scene, how_far, {digits, most}, progress_line(false));
+}
+
+bool is(const certified& x, const exact& value) { return (x - certified(value, 64)).certain_sign() == 0; }
+
+bool contains(const certified& x, const exact& value) { return !(x - certified(value, 64)).certain_sign(); }
+
+constexpr graze::partner ball = graze::partner::ball, plane = graze::partner::plane;
+
+} // namespace
+
+TEST_CASE("a scene that is solved by hand") {
+    // Of masses 3 and 1 and radius 1: 1 into rest at t = 3 gives 1/2 and 3/2; the lighter one goes 4 to the plane, and
+    // comes back with -3/2 to the heavier one, 4 minus what that has gone away.
+    const exact_scene<2> scene = scene_of(R"({"dimension": 2, "balls": [
+        {"position": [0, 0], "velocity": [1, 0], "radius": 1, "mass": 3},
+        {"position": [5, 0], "velocity": [0, 0], "radius": 1}], "planes": [{"point": [10, 0], "normal": [2, 0]}]})");
+    const certified_result<2> found = proved(scene, {{}, 3});
+    REQUIRE(found.events.size() == 3);
+    CHECK(found.why == graze::ending::events);
+    CHECK(found.events[0].who == graze::meeting{ball, 0, 1});
+    CHECK(is(found.events[0].time, 3));
+    CHECK(is(found.events[0].a.position[0], 3));
+    CHECK(is(found.events[0].a.velocity[0], exact(1, 2)));
+    CHECK(is(found.events[0].b->velocity[0], exact(3, 2)));
+    CHECK(found.events[1].who == graze::meeting{plane, 1, 0});
+    CHECK(is(found.events[1].time, 3 + exact(8, 3)));
+    CHECK(is(found.events[1].a.velocity[0], exact(-3, 2)));
+    // Then the heavier one is at 3 + 4/3, the lighter one at 9: a gap of 8/3 that closes at speed 2. The centre of mass
+    // moves with (3/2 - 3/2)/4 = 0, so that both turn round.
+    CHECK(found.events[2].who == graze::meeting{ball, 0, 1});
+    CHECK(is(found.events[2].time, 3 + exact(8, 3) + exact(4, 3)));
+    CHECK(is(found.events[2].a.velocity[0], exact(-1, 2)));
+    CHECK(is(found.events[2].b->velocity[0], exact(3, 2)));
+    CHECK(found.events[2].a.position[0].is_rational());
+}
+
+TEST_CASE("equal times that are no rationals are found equal, and are left open where no state is rational") {
+    // A pair and its mirror image in the plane: D = 4 - 1 = 3, so that both meet at 10 - √3; the balls that were hit
+    // then reach the plane from both sides at equal times.
+    const exact_scene<2> scene = scene_of(R"({"dimension": 2, "balls": [
+        {"position": [0, 0], "velocity": [1, 0], "radius": 1}, {"position": [10, 1], "velocity": [0, 0], "radius": 1},
+        {"position": [200, 50], "velocity": [-1, 0], "radius": 1},
+        {"position": [190, 51], "velocity": [0, 0], "radius": 1}],
+        "planes": [{"point": [100, 0], "normal": [1, 0]}]})");
+    const certified_result<2> found = proved(scene, {{}, 4}, 15, 512);
+    REQUIRE(found.events.size() == 2);
+    CHECK(!found.events[0].tied);
+    CHECK(found.events[1].tied);
+    CHECK(!found.events[1].chosen);
+    CHECK(contains((certified(10) - found.events[0].time) * (certified(10) - found.events[0].time), 3));
+    CHECK(found.bits == 512);
+    CHECK(found.problem.find("the order of two times is undecided") == 0);
+    CHECK(found.problem.find("plane 0") != std::string::npos);
+    CHECK(found.problem.find("about t = ") != std::string::npos);
+    CHECK(proved(scene, {{}, 2}, 15, 512).problem.empty());
+}
+
+TEST_CASE("a graze of rationals is settled") {
+    const auto passing = [](const char* y) {
+        return scene_of(std::string(R"({"dimension": 2, "balls": [
+        {"position": [0, ")") +
+                        y + R"("], "velocity": [1, 0], "radius": "1/3"},
+        {"position": [5, 0], "velocity": [0, 0], "radius": "2/3"}]})");
+    };
+    const auto grazed = proved(passing("1"), {{}, 5});
+    REQUIRE(grazed.events.size() == 1);
+    CHECK(is(grazed.events[0].time, 5));
+    CHECK(is(grazed.events[0].a.velocity[0], 1));
+    CHECK(proved(passing("0x1.0000000000000000000000000000001p0"), {{}, 5}).events.empty());
+    CHECK(proved(passing("0x0.ffffffffffffffffffffffffffffffp0"), {{}, 5}).events.size() == 1);
+}
+
+TEST_CASE("the cradle passes on one ball's velocity at one instant") {
+    const certified_result<2> found = proved(scene_file_of("newtons_cradle"), {{}, 12});
+    REQUIRE(found.events.size() == 12);
+    for (std::size_t i = 0; i < 5; ++i) {
+        CHECK(found.events[i].who == graze::meeting{ball, static_cast<int>(i), static_cast<int>(i) + 1});
+        CHECK(is(found.events[i].time, exact(7, 10)));
+        CHECK(found.events[i].tied == (i > 0));
+    }
+    CHECK(found.events[5].who == graze::meeting{plane, 5, 1});
+    CHECK(is(found.balls[0].velocity[0], 1)); // back where it came from
+}
+
+TEST_CASE("Galperin's billiard counts the digits of pi") {
+    const certified_result<2> found = proved(scene_file_of("galperin"), {{}, 1000});
+    CHECK(found.events.size() == 314);
+    CHECK(found.why == graze::ending::exhausted);
+}
+
+namespace {
+
+// The photon traced by itself, in 120 digits: the nearest circle ahead, over and over.
+using real =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<120>, boost::multiprecision::et_off>;
+struct traced {
+    std::vector<std::pair<int, int>> mirrors;
+    real distance;
+};
+traced trace(int until) {
+    traced result;
+    real x = real(1) / 2, y = real(1) / 10, u = 1, v = 0, left = until;
+    while (true) {
+        real nearest = left;
+        std::pair<int, int> mirror;
+        bool met = false;
+        for (int i = -12; i <= 12; ++i) {
+            for (int j = -12; j <= 12; ++j) {
+                const real dx = x - i, dy = y - j, along = dx * u + dy * v;
+                const real root = along * along - (dx * dx + dy * dy - real(1) / 9);
+                if (along < 0 && root > 0 && -along - sqrt(root) < nearest && -along - sqrt(root) > real(1) / 1000000) {
+                    nearest = -along - sqrt(root);
+                    mirror = {i, j};
+                    met = true;
+                }
+            }
+        }
+        x += u * nearest;
+        y += v * nearest;
+        if (!met) {
+            result.distance = sqrt(x * x + y * y);
+            return result;
+        }
+        left -= nearest;
+        result.mirrors.push_back(mirror);
+        const real nx = 3 * (x - mirror.first), ny = 3 * (y - mirror.second), twice = 2 * (u * nx + v * ny);
+        u -= twice * nx;
+        v -= twice * ny;
+    }
+}
+
+} // namespace
+
+TEST_CASE("the photon of the hundred digits") {
+    const exact_scene<2> scene = scene_file_of("photon");
+    const certified_result<2> found = proved(scene, {exact(10), {}}, 105);
+    CHECK(found.why == graze::ending::time);
+    const auto& p = found.balls[0].position;
+    const std::string text = decimal_text(sqrt(p[0] * p[0] + p[1] * p[1]), 100);
+    CHECK(text.substr(0, 26) == "0.995262919443354160890311"); // as published
+    const traced other = trace(10);
+    CHECK(text == other.distance.str(100, std::ios::fixed));
+    REQUIRE(found.events.size() == other.mirrors.size());
+    CHECK(other.mirrors.size() == 14);
+    for (std::size_t i = 0; i < other.mirrors.size(); ++i) {
+        const graze::meeting who = found.events[i].who;
+        const auto& mirror = scene.balls[static_cast<std::size_t>(who.a == 0 ? who.b : who.a)].shape.position;
+        CHECK(mirror[0] == other.mirrors[i].first);
+        CHECK(mirror[1] == other.mirrors[i].second);
+    }
+}
+
+TEST_CASE("forward, velocities turned round, and back: the start, certified") {
+    using mechanics = certified_mechanics<2>;
+    const exact_scene<2> scene = scene_file_of("photon");
+    std::vector<graze::ball<2, certified>> balls;
+    const certified infinite = certified::infinity();
+    constexpr long bits = 400;
+    for (const exact_ball<2>& b : scene.balls) {
+        const auto in = [](const graze::vec<2, exact>& x) {
+            return graze::vec<2, certified>{{certified(x[0], bits), certified(x[1], bits)}};
+        };
+        balls.push_back({in(b.shape.position), in(b.shape.velocity), certified(b.shape.radius, bits),
+                         b.inverse_mass.is_zero() ? infinite : certified(1)});
+    }
+    graze::run<mechanics> there_and_back(graze::scene<2, certified>{balls, {}, {}});
+    std::vector<graze::meeting> there, back;
+    graze::run_limits<certified> limits;
+    limits.time = certified(10);
+    there_and_back.advance(limits, [&](const auto& e) { there.push_back(e.who); });
+    there_and_back.restate([&](int, const mechanics::state& s) {
+        if (s.state.mass.is_infinite()) {
+            return s;
+        }
+        mechanics::state turned{there_and_back.rules().ball_at(s, certified(10)), certified(10)};
+        turned.state.velocity = -turned.state.velocity;
+        return turned;
+    });
+    limits.time = certified(20);
+    there_and_back.advance(limits, [&](const auto& e) { back.push_back(e.who); });
+    CHECK(there.size() == 14);
+    CHECK(std::vector<graze::meeting>(back.rbegin(), back.rend()) == there);
+    const graze::ball<2, certified> home = there_and_back.rules().ball_at(there_and_back.in_flight(0), certified(20));
+    CHECK(contains(home.position[0], exact(1, 2)));
+    CHECK(contains(home.position[1], exact(1, 10)));
+    CHECK(contains(home.velocity[0], -1));
+    CHECK(contains(home.velocity[1], 0));
+    for (int i = 0; i < 2; ++i) {
+        CHECK(decimals_of(home.position[i]) > 80);
+        CHECK(decimals_of(home.velocity[i]) > 80);
+    }
+}
+
+TEST_CASE("digits and decimals") {
+    CHECK(decimal_text(certified(exact(2, 3), 10), 5) == "0.66667");
+    CHECK(decimal_text(certified(exact(-1, 8), 10), 2) == "-0.12");
+    CHECK(decimal_text(certified(0), 3) == "0.000");
+    const certified root = sqrt(certified(exact(2), 200));
+    const long decimals = decimals_of(root);
+    CHECK(decimals > 55);
+    CHECK(decimals < 62);
+    CHECK(decimal_text(root, 50) == "1.41421356237309504880168872420969807856967187537695");
+}
+
+TEST_CASE("the first mistake of a run") {
+    certified_result<2> truth;
+    const graze::meeting a{ball, 0, 1}, b{ball, 1, 2}, c{plane, 2, 0}, d{plane, 0, 0};
+    for (const graze::meeting& who : {a, b, c}) {
+        truth.events.push_back({who, certified(static_cast<int>(truth.events.size()) + 1), false, false, {}, {}});
+    }
+    const auto mistake_of = [&](std::vector<graze::meeting> events) {
+        history h;
+        while (h.digits.size() < events.size() && h.digits.size() < 3 &&
+               events[h.digits.size()] == truth.events[h.digits.size()].who) {
+            h.digits.push_back(10);
+        }
+        h.times.assign(events.size(), 5);
+        h.events = std::move(events);
+        return first_mistake_of<2>(h, truth);
+    };
+    CHECK(mistake_of({a, b, c}).what == mistake::none);
+    CHECK(mistake_of({a, c}).what == mistake::missed);
+    CHECK(mistake_of({a, c}).text == "ball 1 and ball 2 is missed");
+    CHECK(mistake_of({a, b}).what == mistake::missed);
+    CHECK(mistake_of({a, d, b, c}).what == mistake::invented);
+    CHECK(mistake_of({a, b, c, d}).what == mistake::invented);
+    CHECK(mistake_of({a, c, b}).what == mistake::out_of_order);
+    CHECK(mistake_of({a, d}).what == mistake::other);
+    CHECK(mistake_of({a, d}).at == 1);
+}

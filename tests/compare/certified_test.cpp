@@ -1,0 +1,123 @@
+// The numbers of the certified run against GMP's rationals.
+#include "run/certified.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <gmpxx.h>
+
+#include <utility>
+#include <vector>
+
+using compare::exact;
+using compare::run::certified;
+
+namespace {
+
+bool contains(const certified& x, const mpq_class& value) {
+    return mpfi_is_inside_q(value.get_mpq_t(), x.interval().get()) != 0;
+}
+
+exact exact_of(int numerator, int denominator) { return {numerator, denominator}; }
+
+// A number and what it must be.
+struct pair {
+    certified number;
+    mpq_class value;
+};
+
+pair drawn(long bits) {
+    const int numerator = *rc::gen::inRange(-1000, 1000);
+    const int denominator = *rc::gen::inRange(1, 1000);
+    const certified number(exact_of(numerator, denominator), bits);
+    mpq_class value(numerator, denominator);
+    value.canonicalize();
+    return {*rc::gen::arbitrary<bool>() ? number.enclosed() : number, value};
+}
+
+certified root_of(int x, long bits) { return sqrt(certified(exact(x), bits)); }
+
+} // namespace
+
+TEST_CASE("whatever is computed encloses the rational that GMP computes, and its sign is right or open") {
+    CHECK(rc::check([] {
+        const long bits = *rc::gen::inRange(4, 80);
+        std::vector<pair> all{drawn(bits), drawn(bits), drawn(bits)};
+        const int steps = *rc::gen::inRange(1, 25);
+        for (int i = 0; i < steps; ++i) {
+            const pair x = all[*rc::gen::inRange<std::size_t>(0, all.size())];
+            const pair y = all[*rc::gen::inRange<std::size_t>(0, all.size())];
+            const int operation = *rc::gen::inRange(0, 6);
+            pair z;
+            if (operation == 0) {
+                z = {x.number + y.number, x.value + y.value};
+            } else if (operation == 1) {
+                z = {x.number - y.number, x.value - y.value};
+            } else if (operation == 2) {
+                z = {x.number * y.number, x.value * y.value};
+            } else if (operation == 3) {
+                z = {-x.number, -x.value};
+            } else if (operation == 4) {
+                z = {larger(x.number, y.number), x.value < y.value ? y.value : x.value};
+            } else if (y.number.certain_sign().value_or(0) != 0) {
+                z = {x.number / y.number, x.value / y.value};
+            } else {
+                continue;
+            }
+            RC_ASSERT(contains(z.number, z.value));
+            RC_ASSERT(!z.number.is_rational() || z.number.rational() == z.value);
+            if (const std::optional<int> sign = z.number.certain_sign()) {
+                RC_ASSERT(*sign == sgn(z.value));
+            }
+            const graze::time_bounds bounds = z.number.bounds();
+            RC_ASSERT(bounds.lower <= z.value);
+            RC_ASSERT(z.value <= bounds.upper);
+            all.push_back(z);
+        }
+    }));
+}
+
+TEST_CASE("a root of a rational's square is rational, any other is enclosed") {
+    CHECK(rc::check([] {
+        const int numerator = *rc::gen::inRange(0, 100'000), denominator = *rc::gen::inRange(1, 100'000);
+        const certified x(exact_of(numerator, denominator), 60);
+        const certified root = sqrt(x * x);
+        RC_ASSERT(root.is_rational());
+        RC_ASSERT(root.rational() == x.rational());
+        const certified irrational = sqrt(x * x + certified(exact_of(2, 1), 60) * x * x);
+        RC_ASSERT(contains(irrational * irrational, 3 * x.rational() * x.rational()));
+    }));
+    CHECK(!root_of(2, 60).is_rational());
+}
+
+TEST_CASE("what shares an unknown number cancels exactly") {
+    const certified x = root_of(2, 53), third(exact_of(1, 3), 53);
+    CHECK((x - x).certain_sign() == 0);
+    CHECK((third * x - x / certified(3)).certain_sign() == 0);
+    CHECK((x / x).is_rational());
+    CHECK((x * certified(0)).certain_sign() == 0);
+    CHECK(!(root_of(2, 53) - x).certain_sign()); // the same number, but nobody knows that
+    CHECK_THROWS_AS((void)(root_of(2, 53) - x).sign(), compare::run::undecided_sign);
+}
+
+TEST_CASE("an infinite mass has an inverse of exactly 0") {
+    const certified infinite = certified::infinity();
+    CHECK((certified(1) / infinite).certain_sign() == 0);
+    CHECK(infinite.sign() == 1);
+    CHECK(certified(5) < infinite);
+    CHECK((infinite - infinite).certain_sign() == 0);
+    CHECK_THROWS_AS(certified(1) / certified(0), std::domain_error);
+}
+
+TEST_CASE("a rational that is too long goes on as an interval around it") {
+    certified x(exact_of(2, 3), 100);
+    mpq_class value(2, 3);
+    while (x.is_rational()) {
+        x = x * x;
+        value *= value;
+        REQUIRE(mpz_sizeinbase(value.get_num_mpz_t(), 2) < 8 * certified::longest_rational);
+    }
+    CHECK(mpz_sizeinbase(value.get_den_mpz_t(), 2) > certified::longest_rational / 4);
+    CHECK(contains(x, value));
+    CHECK(x.sign() == 1);
+}
