@@ -10,6 +10,9 @@
 #include "options.hpp"
 #include "report.hpp"
 #include "run.hpp"
+#if COMPARE_HAS_MPFI
+#include "run/run_command.hpp"
+#endif
 #include "stopwatch.hpp"
 #include "table.hpp"
 #include "text_table.hpp"
@@ -30,7 +33,7 @@ namespace compare {
 
 namespace {
 
-constexpr int worse = 1, failed = 2;
+constexpr int worse = 1, incomplete = 1, failed = 2;
 
 // In the order of the list, each once; another name stands for what it names.
 std::vector<measurable> types_of(const options& o) {
@@ -145,6 +148,21 @@ int run_diff(const options& o) {
     return found.worse.empty() ? 0 : worse;
 }
 
+int run_run(const options& o) {
+#if COMPARE_HAS_MPFI
+    for (const auto& [option, path] :
+         {std::pair("--json", o.run_of_scene.json), std::pair("--picture", o.run_of_scene.picture),
+          std::pair("--paths", o.run_of_scene.paths)}) {
+        check_writable(option, path);
+    }
+    const progress_line line(::isatty(STDERR_FILENO) != 0);
+    return run::run_scene(o.run_of_scene, o.command, line) ? 0 : incomplete;
+#else
+    throw input_error("run: " + printable(o.run_of_scene.scene) +
+                      ": this build has no certified runs, libmpfi was not found");
+#endif
+}
+
 void list_types() {
     text_table table;
     table.column("type", true);
@@ -169,13 +187,15 @@ void list_families() {
     }
 }
 
-int run(int argc, const char* const* argv) {
+int act(int argc, const char* const* argv) {
     const options o = parse_options(argc, argv);
     switch (o.what) {
     case action::compare:
         return run_comparison(o);
     case action::diff:
         return run_diff(o);
+    case action::run:
+        return run_run(o);
     case action::list_types:
         list_types();
         break;
@@ -195,7 +215,7 @@ int run(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
     try {
-        const int code = compare::run(argc, argv);
+        const int code = compare::act(argc, argv);
         std::cout.flush();
         if (!std::cout) {
             std::cerr << "graze-compare: the standard output cannot be written\n";

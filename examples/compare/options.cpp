@@ -122,11 +122,13 @@ options parse_options(int argc, const char* const* argv) {
                                    "when a decision or an error got worse");
     diff->add_option("old", o.old_results, "The earlier results")->required();
     diff->add_option("new", o.new_results, "The later results")->required();
+    run::raw_run_options raw_run;
+    CLI::App* running = run::add_run_command(app, raw_run);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         o.what = action::help;
-        o.help = (diff->parsed() ? diff : &app)->help();
+        o.help = (diff->parsed() ? diff : running->parsed() ? running : &app)->help();
         return o;
     } catch (const CLI::ParseError& error) {
         throw input_error(one_line(error.what()));
@@ -134,10 +136,14 @@ options parse_options(int argc, const char* const* argv) {
     o.numbers = as == "exact" ? number_input::exactly : number_input::as_double;
     o.methods = methods_of(variants);
     o.table.quantities = quantities_of(quantities);
-    o.what = diff->parsed()  ? action::diff
-             : list_types    ? action::list_types
-             : list_families ? action::list_families
-                             : action::compare;
+    if (running->parsed()) {
+        o.run_of_scene = run::checked(raw_run, *running);
+    }
+    o.what = diff->parsed()      ? action::diff
+             : running->parsed() ? action::run
+             : list_types        ? action::list_types
+             : list_families     ? action::list_families
+                                 : action::compare;
     return o;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measurable.hpp"
+#include "run/run_options.hpp"
 #include "scene_reader.hpp"
 #include "table.hpp"
 
@@ -13,7 +14,7 @@
 
 namespace compare {
 
-enum class action { compare, diff, list_types, list_families, help };
+enum class action { compare, diff, run, list_types, list_families, help };
 
 struct options {
     action what = action::compare;
@@ -31,6 +32,7 @@ struct options {
     double timing = 0.5;
     std::string json, report, picture;
     std::string old_results, new_results; // of diff
+    run::run_options run_of_scene;        // of run
     std::string command;                  // as typed
 };
 

@@ -1,10 +1,9 @@
 // graze-compare as its user meets it: what it prints, what it writes, and how it ends.
 #include "json_results.hpp"
+#include "workshop.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
-
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -17,54 +16,11 @@
 
 namespace fs = std::filesystem;
 
+using workshop::bench, workshop::ending, workshop::content_of, workshop::holds;
+
 namespace {
 
-std::string content_of(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-struct ending {
-    int code = -1;
-    std::string out, err;
-};
-
-// An empty directory for the time of a test, in which programs run.
-class workshop {
-  public:
-    workshop() {
-        std::string name = (fs::temp_directory_path() / "graze-compare-XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    ~workshop() { fs::remove_all(path_); }
-    workshop(const workshop&) = delete;
-    workshop& operator=(const workshop&) = delete;
-
-    [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
-
-    [[nodiscard]] ending run(const std::string& arguments) const {
-        const std::string command = "cd '" + path_.string() + "' && '" GRAZE_COMPARE "' " + arguments + " >out 2>err";
-        const int status = std::system(command.c_str());
-        ending e{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(path_ / "out"), content_of(path_ / "err")};
-        fs::remove(path_ / "out");
-        fs::remove(path_ / "err");
-        return e;
-    }
-
-    [[nodiscard]] std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-    }
-
-    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
-
-  private:
-    fs::path path_;
-};
-
 const std::string quick = "--family grazing --count 60 --seed 3 --types double,cpp_rational --timing 0 ";
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 } // namespace
 
@@ -78,7 +34,7 @@ std::string on_one_line(std::string text) {
 } // namespace
 
 TEST_CASE("bad input ends with 2 and one line that says what is wrong") {
-    const workshop here;
+    const bench here;
     here.write("broken.json", "{\"dimension\": 2,\n \"balls\": [}");
     here.write("lonely.json", R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [0, 0], "radius": 1}]})");
     struct wrong {
@@ -129,7 +85,7 @@ TEST_CASE("bad input ends with 2 and one line that says what is wrong") {
 }
 
 TEST_CASE("a small run") {
-    const workshop here;
+    const bench here;
     const ending e = here.run(quick + "--json out.json");
     CHECK(e.code == 0);
     CHECK(e.err.empty()); // no progress where there is no terminal
@@ -155,7 +111,7 @@ TEST_CASE("a small run") {
 }
 
 TEST_CASE("every field in the JSON stands in its reference page") {
-    const workshop here;
+    const bench here;
     REQUIRE(here.run(quick + "--json out.json").code == 0);
     const std::string page = content_of(GRAZE_JSON_PAGE);
     const auto json = nlohmann::json::parse(content_of(here / "out.json"));
@@ -180,7 +136,7 @@ TEST_CASE("every field in the JSON stands in its reference page") {
 }
 
 TEST_CASE("options choose") {
-    const workshop here;
+    const bench here;
     const ending e = here.run(quick + "--variants lagrange/stable,halved --quantity position,velocity --dimension 3");
     CHECK(e.code == 0);
     CHECK(holds(e.out, "grazing (3D)"));
@@ -193,7 +149,7 @@ TEST_CASE("options choose") {
 }
 
 TEST_CASE("the same seed gives the same answers, and diff tells what changed") {
-    const workshop here;
+    const bench here;
     REQUIRE(here.run(quick + "--json one.json").code == 0);
     REQUIRE(here.run(quick + "--json two.json").code == 0);
     const ending same = here.run("diff one.json two.json");
@@ -214,7 +170,7 @@ TEST_CASE("the same seed gives the same answers, and diff tells what changed") {
 }
 
 TEST_CASE("what was there stays when a file cannot be written") {
-    const workshop here;
+    const bench here;
     here.write("out.json", "kept");
     CHECK(here.run(quick + "--json /dev/full").code == 2);
     CHECK(here.run("--types nonesuch --json out.json").code == 2);
@@ -223,7 +179,7 @@ TEST_CASE("what was there stays when a file cannot be written") {
 }
 
 TEST_CASE("at least 14 distinct number types, where all libraries are there") {
-    const workshop here;
+    const bench here;
     const ending e = here.run("--list-types");
     CHECK(e.code == 0);
     const auto place = e.out.find(" distinct types");
@@ -237,7 +193,7 @@ TEST_CASE("at least 14 distinct number types, where all libraries are there") {
 }
 
 TEST_CASE("every type answers, the exact ones rightly, and each is timed") {
-    const workshop here;
+    const bench here;
     const ending e = here.run("--family generic --count 12 --timing 0.01 --json out.json");
     REQUIRE(e.code == 0);
     const compare::results found = compare::read_results((here / "out.json").string());
@@ -271,7 +227,7 @@ TEST_CASE("progress is shown on a terminal") {
     if (std::system("command -v script >/dev/null") != 0) {
         return;
     }
-    const workshop here;
+    const bench here;
     const std::string command = "cd '" + (here / ".").string() + "' && script -qec \"'" GRAZE_COMPARE "' " + quick +
                                 "\" typescript >terminal </dev/null";
     CHECK(std::system(command.c_str()) == 0);

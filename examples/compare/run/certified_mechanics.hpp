@@ -167,6 +167,9 @@ class certified_mechanics {
     }
     template <class Standing>
     void bounce_off(state& a, const Standing& standing, const time& t) const {
+        if (immovable(a)) { // nothing changes its flight
+            return;
+        }
         decided("how it bounces", a, [&] {
             const auto s = graze::solve(a.state, standing);
             a = {{s.position, s.velocity, a.state.radius, a.state.mass}, t.value};

@@ -1,0 +1,23 @@
+#include "../../types/cpp_bin_float.hpp"
+
+#include "../type_run.hpp"
+
+#include <graze/scene/plain_mechanics.hpp>
+
+namespace compare::run::types {
+
+namespace {
+
+template <unsigned Digits>
+runnable of_digits() {
+    using number = cpp_bin_float<Digits>;
+    return {graze::number_traits<number>::name, "Boost", run_type<graze::plain_mechanics<2, number>>,
+            run_type<graze::plain_mechanics<3, number>>};
+}
+
+} // namespace
+
+runnable of_cpp_bin_float_50() { return of_digits<50>(); }
+runnable of_cpp_bin_float_100() { return of_digits<100>(); }
+
+} // namespace compare::run::types

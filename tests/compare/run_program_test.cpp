@@ -1,0 +1,137 @@
+// `graze-compare run` as its user meets it.
+#include "workshop.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using workshop::bench, workshop::ending, workshop::content_of, workshop::holds;
+
+namespace {
+
+const std::string photon = "run " GRAZE_SCENES "/photon.json --until 10 ";
+
+} // namespace
+
+TEST_CASE("the photon: what every type keeps of it") {
+    const bench here;
+    const ending e = here.run(photon + "--distance 0 --timing 0.001 --events --json out.json");
+    INFO(e.out << e.err);
+    REQUIRE(e.code == 0);
+    CHECK(e.err.empty());
+    CHECK(holds(e.out, "photon: 14 collisions until t = 10, every decision proved"));
+    CHECK(holds(e.out, "ball 0 is 0.99526291944335"));
+    CHECK(holds(e.out, "double is right for all 14 collisions, to "));
+    CHECK(holds(e.out, " digits; for 15 digits take "));
+    const auto all = nlohmann::json::parse(content_of(here / "out.json"));
+    CHECK(all["events"].size() == 14);
+    CHECK(all["distance"]["from_origin"].get<std::string>().substr(0, 12) == "0.9952629194");
+    const auto digits_of = [&](const std::string& type) {
+        for (const auto& t : all["types"]) {
+            if (t["type"] == type) {
+                CHECK(t["first_wrong"].is_null());
+                CHECK(t["right"] == 14);
+                CHECK(t["digits"].size() == 14);
+                CHECK(t["events_per_second"] > 0);
+                return t["end_digits"].get<double>();
+            }
+        }
+        FAIL("no row of " << type);
+        return 0.0;
+    };
+    const std::string page = content_of(GRAZE_JSON_PAGE);
+    for (const nlohmann::json& object : {all, all["types"][0], all["events"][0], all["states"][0], all["distance"]}) {
+        for (const auto& [key, value] : object.items()) {
+            INFO(key);
+            CHECK(holds(page, "`" + key + "`"));
+        }
+    }
+    CHECK(digits_of("double") == doctest::Approx(5).epsilon(0.3));
+    CHECK(digits_of("cpp_bin_float_50") == doctest::Approx(40).epsilon(0.1));
+    CHECK(digits_of("cpp_bin_float_100") == doctest::Approx(90).epsilon(0.1));
+}
+
+TEST_CASE("a thousand digits") {
+    const bench here;
+    const ending e = here.run(photon + "--distance 0 --digits 1000 --certified");
+    CHECK(e.code == 0);
+    const std::string text = "ball 0 is 0.9952629194433541608903118094267216210294669227341543498032088580";
+    CHECK(holds(e.out, text));
+    const auto at = e.out.find("0.9952629194");
+    REQUIRE(at != std::string::npos);
+    CHECK(e.out.find(' ', at) - at == 1002);
+}
+
+TEST_CASE("a type that goes wrong is told where, and pictures show it") {
+    const bench here;
+    const ending e = here.run("run " GRAZE_SCENES "/sinai.json --collisions 60 --types float,double --digits 5 "
+                              "--timing 0 --picture digits.svg --paths paths.svg --beside float --json out.json");
+    INFO(e.out << e.err);
+    CHECK(e.code == 0);
+    const auto all = nlohmann::json::parse(content_of(here / "out.json"));
+    REQUIRE(all["types"].size() == 2);
+    for (const auto& t : all["types"]) {
+        REQUIRE(t["first_wrong"].is_object());
+        const std::size_t right = t["right"];
+        CHECK(right < 60);
+        CHECK(t["first_wrong"]["event"] == right + 1);
+        CHECK(holds(e.out, t["first_wrong"]["text"].get<std::string>()));
+    }
+    CHECK(all["types"][0]["right"] < all["types"][1]["right"]); // float before double
+    for (const char* picture : {"digits.svg", "paths.svg"}) {
+        const std::string svg = content_of(here / picture);
+        CHECK(holds(svg, "<svg xmlns="));
+        CHECK(holds(svg, "float"));
+        CHECK(holds(svg, "<path"));
+    }
+}
+
+TEST_CASE("a run that cannot be finished keeps what it has") {
+    const bench here;
+    here.write("mirrors.json", R"({"dimension": 2, "balls": [
+        {"position": [0, 0], "velocity": [1, 0], "radius": 1}, {"position": [5, 0], "velocity": [0, 0], "radius": 1},
+        {"position": [0, 50], "velocity": [1, 0], "radius": 1, "mass": "inf"},
+        {"position": [20, 50], "velocity": [0, 0], "radius": 1, "mass": "inf"}]})");
+    const ending e = here.run("run mirrors.json --until 30 --types double --timing 0");
+    INFO(e.out << e.err);
+    CHECK(e.code == 1);
+    CHECK(holds(e.out, "1 collision until t = 3, every decision proved"));
+    CHECK(holds(e.out, "both masses are infinite"));
+    CHECK(holds(e.out, "ball 2 and ball 3"));
+}
+
+TEST_CASE("bad input ends with 2 and one line that says what is wrong") {
+    const bench here;
+    here.write("empty.json", "{}");
+    const std::string scene = GRAZE_SCENES "/sinai.json ";
+    const std::vector<std::pair<std::string, std::string>> all = {
+        {"run", "scene"},
+        {"run missing.json --until 1", "missing.json"},
+        {"run empty.json --until 1", "empty.json"},
+        {"run " + scene, "--until or --collisions"},
+        {"run " + scene + "--until soon", "--until"},
+        {"run " + scene + "--until -1", "before the start"},
+        {"run " + scene + "--collisions 0", "--collisions"},
+        {"run " + scene + "--until 1 --digits 0", "--digits"},
+        {"run " + scene + "--until 1 --types flaot", "flaot"},
+        {"run " + scene + "--until 1 --distance 7", "no ball 7"},
+        {"run " + scene + "--until 1 --paths p.svg --beside flaot", "flaot"},
+        {"run " + scene + "--until 1 --certified --picture p.svg", "--certified"},
+        {"run " + scene + "--until 1 --json nowhere/out.json", "nowhere"},
+        {"run " GRAZE_SCENES "/long_corridor.json --until 1 --paths p.svg", "no scene in the plane"},
+    };
+    const std::size_t before = here.files();
+    for (const auto& [arguments, says] : all) {
+        INFO(arguments);
+        const ending e = here.run(arguments);
+        INFO(e.err);
+        CHECK(e.code == 2);
+        CHECK(e.out.empty());
+        CHECK(std::count(e.err.begin(), e.err.end(), '\n') == 1);
+        CHECK(holds(e.err, says));
+        CHECK(here.files() == before);
+    }
+}

@@ -1,0 +1,63 @@
+// Where a test runs graze-compare as its user does.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace workshop {
+
+namespace fs = std::filesystem;
+
+inline std::string content_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+struct ending {
+    int code = -1;
+    std::string out, err;
+};
+
+// An empty directory for the time of a test, in which programs run.
+class bench {
+  public:
+    bench() {
+        std::string name = (fs::temp_directory_path() / "graze-compare-XXXXXX").string();
+        REQUIRE(mkdtemp(name.data()) != nullptr);
+        path_ = name;
+    }
+    ~bench() { fs::remove_all(path_); }
+    bench(const bench&) = delete;
+    bench& operator=(const bench&) = delete;
+
+    [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
+
+    [[nodiscard]] ending run(const std::string& arguments) const {
+        const std::string command = "cd '" + path_.string() + "' && '" GRAZE_COMPARE "' " + arguments + " >out 2>err";
+        const int status = std::system(command.c_str());
+        ending e{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(path_ / "out"), content_of(path_ / "err")};
+        fs::remove(path_ / "out");
+        fs::remove(path_ / "err");
+        return e;
+    }
+
+    [[nodiscard]] std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+    }
+
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+
+  private:
+    fs::path path_;
+};
+
+inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+} // namespace workshop
