@@ -6,6 +6,8 @@
 #include <graze/number/floating.hpp>
 #include <graze/number/integer.hpp>
 
+#include "../bounds/staged.hpp"
+
 #include <array>
 
 namespace {
@@ -69,6 +71,72 @@ constexpr bool errs_far_less(const std::array<int, 7>& x) {
     return 10000 * error_in_float<discriminant_lagrange>(x) < error_in_float<halved>(x);
 }
 static_assert(errs_far_less(chosen[0]) && errs_far_less(chosen[1]) && errs_far_less(chosen[2]));
+
+// τ in float against τ in double, which errs 2^29 times less: balls that meet, D >= 2^-10 a |Δx|². In units 2^-24
+// |Δx|/|Δu|, of which the bound is staged.hpp's.
+template <class T>
+constexpr T time_of(const std::array<int, 7>& x) {
+    const auto m = motion<T>(x);
+    return root_stable{}(T(coefficient_c{}(m)), T(coefficient_h{}(m)), graze::root(T(discriminant_lagrange{}(m))));
+}
+constexpr double time_error(const std::array<int, 7>& x) {
+    const auto m = motion<double>(x);
+    const double scale2 = squared_norm(m.dx) / squared_norm(m.du);
+    const double error = (static_cast<double>(time_of<float>(x)) - time_of<double>(x)) * 0x1p24;
+    return error * error / scale2; // squared
+}
+constexpr std::array<std::array<int, 7>, 5> meeting{{{4000, 29, 0, -3999, 1, 7, 203},
+                                                     {4095, 4093, 4091, -4089, -4087, -3001, 1700},
+                                                     {2897, 2895, 11, -4093, -4091, 3, 4093},
+                                                     {1237, -2311, 3989, -2477, 3163, -3801, 2741},
+                                                     {3001, 2003, 1009, -3, -2, -1, 2999}}};
+constexpr bool in_domain(const std::array<int, 7>& x) {
+    const auto m = motion<double>(x);
+    return coefficient_h{}(m) < 0 && coefficient_c{}(m) >= 0 &&
+           1024 * discriminant_lagrange{}(m) >= squared_norm(m.du) * squared_norm(m.dx);
+}
+constexpr double time_bound = 1.01 * bounds::staged_root<discriminant_lagrange, 3, 25>(10);
+constexpr bool time_is_within(const std::array<int, 7>& x) {
+    return in_domain(x) && time_error(x) > 0 && time_error(x) < time_bound * time_bound;
+}
+static_assert(time_is_within(meeting[0]) && time_is_within(meeting[1]) && time_is_within(meeting[2]) &&
+              time_is_within(meeting[3]) && time_is_within(meeting[4]));
+
+// The crossing of a plane: whether the ball cuts it, and when it touches it, |u·n| >= 2^-6 |u||n|.
+template <class T>
+constexpr plane_motion<3, T, T, T, T> crossing(const std::array<int, 10>& x) {
+    return {{{T(x[0]), T(x[1]), T(x[2])}}, {{T(x[3]), T(x[4]), T(x[5])}}, {{T(x[6]), T(x[7]), T(x[8])}}, T(x[9])};
+}
+constexpr double clearance_error(const std::array<int, 10>& x) {
+    const auto m = crossing<double>(x);
+    const double error = static_cast<double>(plane_clearance{}(crossing<float>(x))) - plane_clearance{}(m);
+    const double w2 = squared_norm(m.w) > m.r * m.r ? squared_norm(m.w) : m.r * m.r;
+    return (error < 0 ? -error : error) * 0x1p24 / (w2 * squared_norm(m.n));
+}
+template <class T>
+constexpr T touch_of(const std::array<int, 10>& x) {
+    const auto m = crossing<T>(x);
+    return plane_touch_time{}(T(plane_height{}(m)), T(plane_speed{}(m)), T(m.r * graze::root(T(squared_norm(m.n)))));
+}
+constexpr double touch_error(const std::array<int, 10>& x) {
+    const auto m = crossing<double>(x);
+    const double error = (static_cast<double>(touch_of<float>(x)) - touch_of<double>(x)) * 0x1p24;
+    return error * error * squared_norm(m.u) / squared_norm(m.w);
+}
+constexpr std::array<std::array<int, 10>, 3> crossings{{{3001, 2003, 1009, -1237, -2311, -3989, 997, 1999, 1499, 577},
+                                                        {4093, -211, 307, -4091, 4089, 17, 3571, 13, 1301, 2999},
+                                                        {101, 103, 4091, 2003, -2999, -1201, 5, 7, 3001, 3989}}};
+constexpr double clearance_bound = 1.01 * bounds::error_of_plane<plane_clearance, 3, 25>;
+constexpr double touch_bound = 1.01 * bounds::staged_touch<3, 25>(6);
+constexpr bool crossing_is_within(const std::array<int, 10>& x) {
+    const auto m = crossing<double>(x);
+    const double height = plane_height{}(m), speed = plane_speed{}(m), nn = squared_norm(m.n);
+    const bool in_domain = speed < 0 && 256 * height * height >= squared_norm(m.w) * nn && plane_clearance{}(m) >= 0 &&
+                           4096 * speed * speed >= squared_norm(m.u) * nn;
+    return in_domain && clearance_error(x) > 0 && clearance_error(x) < clearance_bound && touch_error(x) > 0 &&
+           touch_error(x) < touch_bound * touch_bound;
+}
+static_assert(crossing_is_within(crossings[0]) && crossing_is_within(crossings[1]) && crossing_is_within(crossings[2]));
 
 // Of 30-bit integers in doubles: |computed - exact| 2^53 <= K length² velocity², all as integers.
 template <class F>

@@ -1,11 +1,16 @@
 # cmake -D PROGRAM=error-bounds -D GAPPA=... -D COQC=... -D WORK=... -P coq.cmake: writes every script, lets Gappa write
-# its proof of each for Coq, and lets Coq check it. The one step that Gappa leaves to the user, the error of a quotient,
-# is proved here too.
+# its proof of each for Coq, and lets Coq check it. The steps that Gappa leaves to the user, the error of a quotient
+# and x + y - x = y, are proved here too. What Coq has accepted, word for word, is not asked again: remove WORK to ask everything.
 cmake_policy(VERSION 3.25)
-file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
+file(GLOB old "${WORK}/*.g")
+if(old)
+    file(REMOVE ${old})
+endif()
 execute_process(COMMAND "${PROGRAM}" scripts "${WORK}" COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB scripts "${WORK}/*_double_*.g") # for float nothing but u differs
+set(count 0)
+list(LENGTH scripts all)
 foreach(script IN LISTS scripts)
     execute_process(COMMAND "${GAPPA}" -Bcoq "${script}" OUTPUT_VARIABLE proof ERROR_VARIABLE said RESULT_VARIABLE result)
     if(NOT result EQUAL 0)
@@ -21,20 +26,23 @@ Proof. intros; field; split; assumption. Qed.
 End quotient.
 Section Generated_by_Gappa.]] proof "${proof}")
     string(REGEX REPLACE "Hypothesis (a[0-9]+) : ([^\n]*)\\.\n"
-        "Lemma \\1 : \\2.\nProof. intros; apply quotient.error; assumption. Qed.\n" proof "${proof}")
+        "Lemma \\1 : \\2.\nProof. intros; first [ apply quotient.error; assumption | ring ]. Qed.\n" proof "${proof}")
     if(proof MATCHES "Hypothesis|Axiom|Admitted")
         message(FATAL_ERROR "the proof of ${script} supposes something")
     endif()
-    string(REGEX REPLACE "\\.g$" ".v" file "${script}")
-    cmake_path(GET file STEM stem)
+    cmake_path(GET script STEM stem)
     set(file "${WORK}/bound_${stem}.v")
-    file(WRITE "${file}" "${proof}")
-    execute_process(COMMAND "${COQC}" -q "${file}" OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
-    if(NOT result EQUAL 0)
-        message(FATAL_ERROR "Coq does not accept ${file}:\n${said}")
+    file(STRINGS "${script}" title LIMIT_COUNT 1 ENCODING UTF-8)
+    string(SHA256 hash "${proof}")
+    if(NOT EXISTS "${WORK}/accepted/${hash}")
+        file(WRITE "${file}" "${proof}")
+        execute_process(COMMAND "${COQC}" -q "${file}" OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
+        if(NOT result EQUAL 0)
+            message(FATAL_ERROR "Coq does not accept ${file}:\n${said}")
+        endif()
+        file(WRITE "${WORK}/accepted/${hash}" "${title}\n")
     endif()
-    file(STRINGS "${script}" title LIMIT_COUNT 1)
-    message(STATUS "Coq accepts: ${title}")
+    math(EXPR count "${count} + 1")
+    message(STATUS "Coq accepts ${count} of ${all}: ${title}")
 endforeach()
-list(LENGTH scripts count)
 message(STATUS "Coq accepts all ${count} proofs")

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sources.hpp"
+#include "staged.hpp"
 
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/plane_crossing.hpp>
@@ -10,38 +11,9 @@
 
 #include <string>
 #include <tuple>
+#include <type_traits>
 
 namespace bounds {
-
-[[nodiscard]] constexpr double power_of_two(int n) {
-    double x = 1;
-    for (; n < 0; ++n) {
-        x /= 2;
-    }
-    for (; n > 0; --n) {
-        x *= 2;
-    }
-    return x;
-}
-
-// A quantity's domain may come in slices.
-inline constexpr int whole = -1;
-template <class Q>
-inline constexpr int slices_of = [] {
-    if constexpr (requires { Q::slices; }) {
-        return Q::slices;
-    } else {
-        return 1;
-    }
-}();
-template <class Q, int N, class Source>
-[[nodiscard]] constexpr auto run_slice(Source& s, int slice) {
-    if constexpr (requires { Q::slices; }) {
-        return Q::template run<N>(s, slice);
-    } else {
-        return Q::template run<N>(s);
-    }
-}
 
 // Two balls: Δx, Δu and R were rounded once each.
 template <int N, class Source>
@@ -65,6 +37,7 @@ template <int N, class Source>
 // A formula of two balls' motion.
 template <class F>
 struct of_balls {
+    static constexpr bool of_two_balls = true;
     template <int N, class Source>
     [[nodiscard]] static constexpr auto run(Source& s) {
         return F{}(balls<N>(s));
@@ -72,6 +45,7 @@ struct of_balls {
 };
 template <class F>
 struct of_plane {
+    static constexpr bool of_two_balls = false;
     template <int N, class Source>
     [[nodiscard]] static constexpr auto run(Source& s) {
         return F{}(ball_and_plane<N>(s));
@@ -95,12 +69,6 @@ struct a_times_c {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
         return graze::coefficient_a{}(m)*graze::coefficient_c{}(m);
-    }
-};
-struct square_of_cross {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::squared_norm(graze::cross(m.dx, m.du));
     }
 };
 struct halved_of_motion {
@@ -129,6 +97,7 @@ struct kahan_of_motion { // its exact value is D, in a type without fused multip
 
 struct radii : of_balls<square_of_radius_sum> {
     static constexpr const char* name = "R²";
+    static constexpr bool has_vectors = false;
     static constexpr degrees degree{2, 0, 0};
     using parts = std::tuple<>;
 };
@@ -157,11 +126,6 @@ struct ac : of_balls<a_times_c> {
     static constexpr degrees degree{2, 2, 0};
     using parts = std::tuple<a, c>;
 };
-struct cross2 : of_balls<square_of_cross> {
-    static constexpr const char* name = "\\|Δx × Δu\\|²";
-    static constexpr degrees degree{2, 2, 0};
-    using parts = std::tuple<>;
-};
 struct textbook : of_balls<textbook_of_motion> {
     static constexpr const char* name = "4D, textbook";
     static constexpr degrees degree{2, 2, 0};
@@ -174,53 +138,58 @@ struct halved : of_balls<halved_of_motion> {
 };
 struct kahan : of_balls<kahan_of_motion> {
     static constexpr const char* name = "D, Kahan";
+    static constexpr const char* step = "error of a c";
     static constexpr degrees degree{2, 2, 0};
     using parts = std::tuple<h2, ac>;
 };
 struct lagrange : of_balls<graze::discriminant_lagrange> {
     static constexpr const char* name = "D, Lagrange";
+    static constexpr const char* step = "\\|Δx × Δu\\|²";
     static constexpr degrees degree{2, 2, 0};
-    using parts = std::tuple<radii, a, cross2>;
+    using parts = std::tuple<radii, a>;
 };
 
-// τ where D >= 2^-K length² velocity², h < 0 and c >= 0: then |h| >= √D, since D = h² - ac. Where the largest component
-// of a velocity is 1, a >= 1, so that c <= h² and τ <= -h/a <= |h|. Compiler and Gappa are given slices of the domain,
-// in each of which |h| is known to a factor of 2, and bound the worst of them.
-template <class D, int K, int Half = K / 2>
+// τ of two balls where D >= 2^-K a |Δx|², h < 0 and c >= 0. The bounds of c, h and D, which the filters rest on, and
+// what quotients and roots do to them: staged.hpp.
+template <class F, int K>
 struct time {
-    static_assert(K == 2 * Half);
+    static constexpr bool of_two_balls = true;
+    static constexpr const char* step = "√D";
     static constexpr degrees degree{1, -1, 0};
-    using parts = std::tuple<c, h, D>;
-    static constexpr int slices = Half + 2;
 
     template <int N, class Source>
-    [[nodiscard]] static constexpr auto run(Source& s, int slice = whole) {
+    [[nodiscard]] static constexpr auto run(Source& s) {
         using number = typename Source::number;
         using real = graze::root_type<number>;
-        const double low = slice == whole ? power_of_two(-Half) : power_of_two(-slice + 1);
-        const double high = slice == whole || 2 * low > N ? N : 2 * low;
         const auto m = balls<N>(s);
-        const number c = s.known(graze::coefficient_c{}(m), 0, high * high < N ? high * high : N, {2, 0, 0});
-        const number h = s.known(graze::coefficient_h{}(m), -high, -low, {1, 1, 0});
-        const number d = s.known(discriminant(m), power_of_two(-K), high * high, {2, 2, 0});
-        return s.known(graze::root_stable{}(real(c), real(h), graze::root(d)), 0, high < 2 ? high : 2, degree);
+        const number c(graze::coefficient_c{}(m));
+        const number h(graze::coefficient_h{}(m));
+        const number d(F{}(m));
+        s.require([&] {
+            const number least(graze::coefficient_a{}(m)*graze::squared_norm(m.dx));
+            return graze::sign(h) < 0 && graze::sign(c) >= 0 && graze::sign(number(power_of_two(K)) * d - least) >= 0 &&
+                   graze::sign(least) > 0;
+        });
+        return graze::root_stable{}(real(c), real(h), graze::root(d));
     }
-    template <class M>
-    [[nodiscard]] static constexpr auto discriminant(const M& m) {
-        if constexpr (std::is_same_v<D, lagrange>) {
-            return graze::discriminant_lagrange{}(m);
-        } else {
-            return halved_of_motion{}(m);
-        }
+    template <int N, int Digits>
+    [[nodiscard]] static constexpr double compiled() {
+        return staged_root<F, N, Digits>(K);
+    }
+    template <int N, int Digits>
+    [[nodiscard]] static std::string script(const std::string& unit) {
+        return staged_root_script<F, N, Digits>(K, unit);
     }
 };
 template <int K>
-struct time_lagrange : time<lagrange, K> {
+struct time_lagrange : time<graze::discriminant_lagrange, K> {
+    using parts = std::tuple<c, h, lagrange>;
     static inline const std::string text = "τ, Lagrange, D ≥ 2^-" + std::to_string(K);
     static inline const char* const name = text.c_str();
 };
 template <int K>
-struct time_halved : time<halved, K> {
+struct time_halved : time<halved_of_motion, K> {
+    using parts = std::tuple<c, h, halved>;
     static inline const std::string text = "τ, halved, D ≥ 2^-" + std::to_string(K);
     static inline const char* const name = text.c_str();
 };
@@ -236,11 +205,14 @@ struct clearance : of_plane<graze::plane_clearance> {
     using parts = std::tuple<height>;
 };
 
-// (33) completed, seen from above, where the speed of approach is at least 2^-K velocity·normal and the ball apart.
+// (33) completed, for a ball apart from the plane and above it by at least |w||n|/16, which approaches with |u·n| >=
+// 2^-K |u||n|.
 template <int K>
 struct touch {
     static inline const std::string text = "t, plane, \\|u·n\\| ≥ 2^-" + std::to_string(K);
     static inline const char* const name = text.c_str();
+    static constexpr const char* step = "(r √n·n − w·n)/(u·n)";
+    static constexpr bool of_two_balls = false;
     static constexpr degrees degree{1, -1, 0};
     using parts = std::tuple<height>;
 
@@ -249,32 +221,81 @@ struct touch {
         using number = typename Source::number;
         using real = graze::root_type<number>;
         const auto m = ball_and_plane<N>(s);
-        const number height = s.known(graze::plane_height{}(m), 0, N, {1, 0, 1});
-        const number speed = s.known(graze::plane_speed{}(m), -N, -power_of_two(-K), {0, 1, 1});
-        const number nn = s.known(number(graze::squared_norm(m.n)), 1, N, {0, 0, 2});
-        const real reach = real(m.r) * graze::root(nn);
-        return s.known(graze::plane_touch_time{}(real(height), real(speed), reach), 0, N / power_of_two(-K), degree);
+        const number height(graze::plane_height{}(m));
+        const number speed(graze::plane_speed{}(m));
+        const number nn(graze::squared_norm(m.n));
+        s.require([&] {
+            const number uu(graze::squared_norm(m.u));
+            return graze::sign(height) > 0 && graze::sign(speed) < 0 && graze::sign(m.r) >= 0 &&
+                   graze::sign(number(graze::plane_clearance{}(m))) >= 0 &&
+                   graze::sign(number(256) * height * height - graze::squared_norm(m.w) * nn) >= 0 &&
+                   graze::sign(number(power_of_two(2 * K)) * speed * speed - uu * nn) >= 0 && graze::sign(uu * nn) > 0;
+        });
+        return graze::plane_touch_time{}(real(height), real(speed), real(m.r) * graze::root(nn));
+    }
+    template <int N, int Digits>
+    [[nodiscard]] static constexpr double compiled() {
+        return staged_touch<N, Digits>(K);
+    }
+    template <int N, int Digits>
+    [[nodiscard]] static std::string script(const std::string& unit) {
+        return staged_touch_script<N, Digits>(K, unit);
     }
 };
 
-using all =
-    std::tuple<radii, a, h, c, h2, ac, cross2, textbook, halved, kahan, lagrange, time_lagrange<2>, time_lagrange<6>,
-               time_lagrange<10>, time_halved<6>, height, clearance, touch<2>, touch<6>, touch<10>>;
+using all = std::tuple<radii, a, h, c, h2, ac, textbook, halved, kahan, lagrange, time_lagrange<2>, time_lagrange<6>,
+                       time_lagrange<10>, time_halved<6>, height, clearance, touch<2>, touch<6>, touch<10>>;
+
+// K against norms, as the filters take it: |computed - exact| <= K u length^i velocity^j normal^k.
+template <class Q, int N, int Digits>
+inline constexpr double constant = [] {
+    if constexpr (requires { Q::template compiled<N, Digits>(); }) {
+        return Q::template compiled<N, Digits>() * graze::error_bound_slack;
+    } else {
+        compiled_source<Digits> s;
+        const auto bound = Q::template run<N>(s);
+        if (bound.degree != Q::degree) {
+            throw std::logic_error("a quantity of another degree");
+        }
+        return bound.error * graze::error_bound_slack;
+    }
+}();
+
+// What a norm may be of the largest component: √N, since N m² - |x|² = Σ (m - x_i)(m + x_i). K times this, to each
+// positive power, is the constant against components; but R is no vector.
+template <class Q, int N>
+inline constexpr double norm_factor = [] {
+    if constexpr (requires { Q::has_vectors; }) {
+        return 1.0;
+    }
+    int power = 0;
+    for (const int d : Q::degree) {
+        power += d > 0 ? d : 0;
+    }
+    double factor = power % 2 == 0 ? 1 : graze::detail::constant_sqrt(double{N});
+    for (int i = 1; i < power; i += 2) {
+        factor *= N;
+    }
+    return factor;
+}();
+template <class Q, int N, int Digits>
+inline constexpr double compiled = constant<Q, N, Digits>* norm_factor<Q, N>;
 
 // How many numbers rounded_source and exact_source take.
 struct counting_source {
-    using number = graze::range_bound<>;
+    using number = graze::basic_error_bound<53>;
     std::size_t count = 0;
-    [[nodiscard]] constexpr number input(kind) { return ++count, number::exact_input(); }
-    [[nodiscard]] constexpr number difference(kind) { return count += 2, number::exact_input(); }
-    [[nodiscard]] constexpr number known(const number& x, double low, double high, degrees) {
-        return x.within(low, high);
-    }
+    [[nodiscard]] constexpr number input(kind k) { return ++count, number::exact_input(degree_of(k)); }
+    [[nodiscard]] constexpr number difference(kind k) { return count += 2, number::exact_input(degree_of(k)); }
 };
 template <class Q, int N>
 inline constexpr std::size_t inputs_of = [] {
     counting_source s;
-    (void)Q::template run<N>(s);
+    if constexpr (Q::of_two_balls) {
+        (void)balls<N>(s);
+    } else {
+        (void)ball_and_plane<N>(s);
+    }
     return s.count;
 }();
 

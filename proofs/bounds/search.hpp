@@ -35,12 +35,13 @@ template <class Q, int N, class T>
     if (rounded.degenerate()) {
         return -1;
     }
+    const auto scales = rounded.scales();
     double scale = 1;
     for (std::size_t i = 0; i < Q::degree.size(); ++i) {
-        scale *= Q::degree[i] == 0 ? 1.0 : std::pow(rounded.scales()[i], Q::degree[i]);
+        scale *= Q::degree[i] == 0 ? 1.0 : std::pow(scales[i], Q::degree[i]);
     }
     try {
-        exact_source<T> exact(inputs, rounded.scales());
+        exact_source<T> exact(inputs);
         const mpf_class truth = value_of(Q::template run<N>(exact));
         const mpf_class difference = mpf_class(static_cast<double>(result), 400) - truth;
         return std::fabs(difference.get_d()) / (scale * unit<T>);

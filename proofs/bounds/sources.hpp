@@ -1,8 +1,8 @@
 // What the quantities are computed from, in each of the number types: inputs, and what is supposed of values.
 #pragma once
 
+#include <graze/analysis/error_bound.hpp>
 #include <graze/analysis/gappa_term.hpp>
-#include <graze/analysis/range_bound.hpp>
 #include <graze/linear/vec.hpp>
 #include <graze/number/gmp.hpp>
 #include <graze/number/sqrt_extension.hpp>
@@ -11,10 +11,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace bounds {
 
@@ -23,21 +23,22 @@ namespace bounds {
 enum class kind { length, velocity, normal };
 using degrees = std::array<int, 3>;
 
+[[nodiscard]] constexpr degrees degree_of(kind k) {
+    return {k == kind::length, k == kind::velocity, k == kind::normal};
+}
+
 // A source gives
 //   input(kind)         a component that is exact
 //   difference(kind)    one that was rounded once, as a difference or sum of two exact ones
-//   known(x, low, high, degrees)   x, of which low <= x <= high times the scales is a hypothesis
+//   require(f)          that f(), of values, is true is a hypothesis
 // and `number`, its type.
 
-// By the compiler.
+// By the compiler, as the filters: against norms, of which the radius counts as one of the lengths.
 template <int Digits>
 struct compiled_source {
-    using number = graze::range_bound<Digits>;
-    [[nodiscard]] constexpr number input(kind) { return number::exact_input(); }
-    [[nodiscard]] constexpr number difference(kind) { return number::rounded_input(); }
-    [[nodiscard]] constexpr number known(const number& x, double low, double high, degrees) {
-        return x.within(low, high);
-    }
+    using number = graze::basic_error_bound<Digits>;
+    [[nodiscard]] constexpr number input(kind k) { return number::exact_input(degree_of(k)); }
+    [[nodiscard]] constexpr number difference(kind k) { return number::rounded_input(degree_of(k)); }
 };
 
 // By Gappa.
@@ -48,18 +49,9 @@ class gappa_source {
 
     [[nodiscard]] number input(kind k) { return script_.exact_input(next_name(k)); }
     [[nodiscard]] number difference(kind k) { return script_.rounded_input(next_name(k)); }
-    [[nodiscard]] number known(const number& x, double low, double high, degrees) {
-        script_.suppose(x.exact() + " in [" + text(low) + "," + text(high) + "]");
-        return x;
-    }
     [[nodiscard]] std::string script(const number& result) const { return script_.text(result); }
 
   private:
-    static std::string text(double x) {
-        std::array<char, 40> buffer{};
-        std::snprintf(buffer.data(), buffer.size(), "%a", x);
-        return buffer.data();
-    }
     [[nodiscard]] std::string next_name(kind k) {
         const auto index = static_cast<std::size_t>(k);
         return std::string(1, "xun"[index]) + std::to_string(count_[index]++);
@@ -82,39 +74,57 @@ class rounded_source {
         const T y = next();
         return scaled(k, x - y);
     }
-    [[nodiscard]] number known(const number& x, double, double, degrees) { return x; }
-    [[nodiscard]] const std::array<double, 3>& scales() const { return scales_; }
+    template <class F>
+    void require(F) {}
+
+    // The largest component of each kind.
+    [[nodiscard]] std::array<double, 3> scales() const {
+        return each_kind([](const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); });
+    }
+    // The norm of each kind's vector of N components; of the lengths, the radius if that is larger.
+    [[nodiscard]] std::array<double, 3> norms(std::size_t dimensions) const {
+        return each_kind([dimensions](const std::vector<double>& x) {
+            double sum = 0;
+            for (std::size_t i = 0; i < dimensions; ++i) {
+                sum += x[i] * x[i];
+            }
+            return std::max(std::sqrt(sum), *std::max_element(x.begin() + static_cast<long>(dimensions) - 1, x.end()));
+        });
+    }
     // Whether all inputs of a kind are 0: they have no scale.
     [[nodiscard]] bool degenerate() const {
-        bool found = false;
-        for (std::size_t i = 0; i < scales_.size(); ++i) {
-            found = found || (is_used_[i] && scales_[i] == 0);
-        }
-        return found;
+        const auto s = scales();
+        return std::any_of(s.begin(), s.end(), [](double x) { return x == 0; });
     }
 
   private:
     [[nodiscard]] T next() { return inputs_[position_++]; }
     [[nodiscard]] T scaled(kind k, T x) {
-        is_used_[static_cast<std::size_t>(k)] = true;
-        double& scale = scales_[static_cast<std::size_t>(k)];
-        scale = std::max(scale, std::fabs(static_cast<double>(x)));
+        const auto value = static_cast<double>(x);
+        magnitudes_[static_cast<std::size_t>(k)].push_back(value < 0 ? -value : value);
         return x;
+    }
+    template <class F>
+    [[nodiscard]] std::array<double, 3> each_kind(F f) const { // 1 where there is none of the kind
+        std::array<double, 3> r{};
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            r[i] = magnitudes_[i].empty() ? 1 : f(magnitudes_[i]);
+        }
+        return r;
     }
 
     std::span<const T> inputs_;
     std::size_t position_ = 0;
-    std::array<double, 3> scales_{};
-    std::array<bool, 3> is_used_{};
+    std::array<std::vector<double>, 3> magnitudes_;
 };
 
-// Exactly; throws where what is supposed is not so.
+// Exactly; throws where what is required is not so.
 struct outside_domain {};
 template <class T>
 class exact_source {
   public:
     using number = graze::gmp_rational;
-    exact_source(std::span<const T> inputs, const std::array<double, 3>& scales) : inputs_(inputs), scales_(scales) {}
+    explicit exact_source(std::span<const T> inputs) : inputs_(inputs) {}
 
     [[nodiscard]] number input(kind) { return next(); }
     [[nodiscard]] number difference(kind) {
@@ -122,26 +132,20 @@ class exact_source {
         const number y = next();
         return x - y;
     }
-    template <class Number>
-    [[nodiscard]] Number known(const Number& x, double low, double high, degrees d) {
-        number scale(1);
-        for (std::size_t i = 0; i < d.size(); ++i) {
-            for (int n = 0; n < std::abs(d[i]); ++n) {
-                scale = d[i] > 0 ? scale * number(scales_[i]) : scale / number(scales_[i]);
-            }
-        }
-        if (x < Number(number(low) * scale) || x > Number(number(high) * scale)) {
+    template <class F>
+    void require(F holds) {
+        if (!holds()) {
             throw outside_domain();
         }
-        return x;
     }
 
   private:
-    [[nodiscard]] number next() { return number(static_cast<double>(inputs_[position_++])); }
+    [[nodiscard]] number next() { return exactly(inputs_[position_++]); }
+    [[nodiscard]] static number exactly(const graze::gmp_rational& x) { return x; }
+    [[nodiscard]] static number exactly(double x) { return number(x); }
 
     std::span<const T> inputs_;
     std::size_t position_ = 0;
-    std::array<double, 3> scales_;
 };
 
 template <int N, class Source>

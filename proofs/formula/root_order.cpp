@@ -1,38 +1,14 @@
 // The order of smaller roots, for all pairs of small quadratics, against an order by squaring.
 #include <graze/formula/root_order.hpp>
 
+#include "../whole.hpp"
+
 #include <cstdint>
 
 namespace {
 
-struct whole {
-    std::int64_t value = 0;
-    constexpr whole() = default;
-    constexpr whole(int v) : value(v) {}
-    static constexpr whole of(std::int64_t v) {
-        whole w;
-        w.value = v;
-        return w;
-    }
-    constexpr whole operator-() const { return of(-value); }
-    friend constexpr whole operator+(whole x, whole y) { return of(x.value + y.value); }
-    friend constexpr whole operator-(whole x, whole y) { return of(x.value - y.value); }
-    friend constexpr whole operator*(whole x, whole y) { return of(x.value * y.value); }
-    friend constexpr bool operator<(whole x, whole y) { return x.value < y.value; }
-};
-
-} // namespace
-
-template <>
-struct graze::number_traits<whole> {
-    static constexpr const char* name = "whole";
-    static constexpr bool is_exact = true;
-    static constexpr int digits = 0;
-};
-
-namespace {
-
 using namespace graze;
+using proof::whole;
 using equation = quadratic<whole, whole, whole>;
 
 constexpr int sign_of(std::int64_t x) { return (x > 0) - (x < 0); }

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Slips in the formulas, one at a time, each of which must break a proof.
 
-Every operator, sign, index, constant, factor and term of include/graze/formula is changed or dropped in a copy of its
-header, and the proofs are compiled against that copy. A slip that no proof notices must be listed in equivalent.txt,
-with the reason for which it changes nothing.
+Every operator, sign, index, constant, factor, term and arm of a choice in include/graze/formula is changed or dropped
+in a copy of its header, and the proofs are compiled against that copy until one of them fails. A slip that no proof
+notices must be listed in equivalent.txt, with the reason for which it changes nothing.
 
-    mutate.py [--compiler g++] [--jobs 1] [--only plane_crossing] [--sample 8 --seed 1] [--list]
+    mutate.py [--compiler g++] [--jobs 1] [--only plane_crossing] [--sample 8 --seed 1] [--list] [--verbose] [--near]
 """
 import argparse
 import concurrent.futures
@@ -18,83 +18,151 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FORMULAS = ROOT / "include/graze/formula"
-# The proofs, those that are about a header first; the slow ones last.
-PROOFS = ["formula/discriminant", "formula/roots", "formula/root_order", "formula/contact", "formula/impulse",
-          "formula/plane_crossing", "formula/flight_motion", "formula/errata", "formula/wall_features", "predicate/scenes",
-          "predicate/wall_scenes", "analysis/bit_width", "predicate/decisions"]
+# The proofs, the quick ones first; and those that are about a header, which are tried before the others.
+PROOFS = ["formula/encounter", "formula/root_order", "formula/roots", "formula/contact", "formula/plane_crossing",
+          "formula/discriminant", "formula/flight_motion", "formula/impulse", "formula/errata", "formula/wall_features",
+          "analysis/bit_width", "predicate/scenes", "formula/wall_encounter", "predicate/wall_scenes",
+          "predicate/decisions"]
 ABOUT = {
     "relative_motion": ["formula/discriminant"], "quadratic": ["formula/discriminant"],
     "discriminant": ["formula/discriminant"], "roots": ["formula/roots"], "root_order": ["formula/root_order"],
     "contact": ["formula/contact"], "impulse": ["formula/impulse"], "plane_crossing": ["formula/plane_crossing"],
-    "wall_features": ["formula/wall_features"], "wall_encounter": ["predicate/wall_scenes", "formula/errata"],
-    "encounter": ["formula/errata"], "solution": ["predicate/scenes", "formula/errata"],
-    "solve_balls": ["predicate/scenes"], "solve_plane": ["predicate/scenes"], "solve_wall": ["predicate/scenes"],
-    "exact_in": ["analysis/bit_width"], "flight_motion": ["formula/flight_motion"],
+    "wall_features": ["formula/wall_features"],
+    "wall_encounter": ["formula/wall_encounter", "formula/wall_features", "predicate/wall_scenes"],
+    "encounter": ["formula/encounter"], "solution": ["predicate/scenes", "formula/errata"],
+    "solve_balls": ["predicate/scenes"], "solve_plane": ["predicate/scenes"],
+    "solve_wall": ["predicate/scenes", "predicate/wall_scenes"], "exact_in": ["analysis/bit_width"],
+    "flight_motion": ["formula/flight_motion"],
 }
 SWAPS = {"+": "-", "-": "+", "*": "+", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "==",
          "&&": "||", "||": "&&", ">>": "<<", "<<": ">>", "&": "|"}
+NAMES = [("dot(", "cross("), ("cross(", "dot("), (".dx", ".du"), (".du", ".dx"), (".w", ".u"), (".u", ".w"),
+         ("true", "false"), ("false", "true"), ("height", "speed"), ("speed", "height"), ("inverse_a", "inverse_b"),
+         ("inverse_b", "inverse_a"), ("dx", "du"), ("position_a", "position_b"), ("velocity_a", "velocity_b")]
+# What ends an operand: it stands outside its own parentheses, after a blank, and binds less.
+LOOSER = {"*": r"\*|/|\+|-|<=|>=|<|>|==|!=|&&|\|\||\?|:", "+": r"\+|-|<=|>=|<|>|==|!=|&&|\|\||\?|:",
+          "&&": r"&&|\|\||\?|:", "?": r"\?|:"}
+DECLARATION = re.compile(r"\s*(#|template|requires|namespace|struct|class|using|static_assert|public:|private:)")
 
 
-def is_code(line):
-    stripped = line.strip()
-    return stripped and not re.match(r"//|#|template|requires|namespace|struct|class|using|\[\[nodiscard\]\] "
-                                     r"(constexpr|static|friend|inline)|static_assert|public:|private:", stripped)
+def code_of(text):
+    """The text with blanks for comments, strings, declarations and the signatures of functions: where slips count."""
+    kept = re.sub(r"//[^\n]*", lambda m: " " * len(m.group(0)), text)
+    kept = re.sub(r'"[^"\n]*"', lambda m: " " * len(m.group(0)), kept)
+    lines = []
+    signature = False  # until its body begins
+    for line in kept.split("\n"):
+        if signature or re.match(r"\s*\[\[nodiscard\]\]", line):
+            body = line.find("{", 0 if ") " in line or "{" in line else len(line))
+            match = re.search(r"(\)|const|noexcept) (: [^{]*)?\{", line)
+            signature = match is None and ";" not in line
+            lines.append(" " * match.end() + line[match.end():] if match and body >= 0 else " " * len(line))
+        elif DECLARATION.match(line):
+            lines.append(" " * len(line))
+        else:
+            lines.append(line)
+    return "\n".join(lines)
 
 
-def end_of(text, start, stops):
-    """Where the operand that starts at `start` ends: at one of the stops, outside its own parentheses."""
+def is_bracket(code, i):
+    """Whether the < or > at i is a template's: comparisons stand between blanks."""
+    return code[i] in "<>" and code[i - 1] not in " \n-=<" and not (code[i] == "<" and code[i + 1] == "=")
+
+
+def operand_end(code, start, operator):
+    """Where the operand that starts at `start` ends."""
     depth = 0
-    for i in range(start, len(text)):
-        c = text[i]
-        if depth == 0 and (c in ";,)?" or any(text.startswith(s, i) for s in stops)):
-            return i
+    choices = 0
+    for i in range(start, len(code)):
+        c = code[i]
+        if depth == 0:
+            if c in ";,)]}":
+                return i
+            if operator in "?:" and c in "?:" and code[i - 1] in " \n":
+                if c == ":" and not choices:
+                    return i
+                choices += 1 if c == "?" else -1
+            elif operator not in "?:" and i > start and code[i - 1] in " \n)" and re.match(
+                    f"({LOOSER[operator]})(?=[ \n]|(?<=[-+*])[a-z])", code[i:]):
+                return i
         depth += (c in "([{") - (c in ")]}")
-        if depth < 0:
-            return i
-    return len(text)
+        depth += (c == "<") - (c == ">") if is_bracket(code, i) else 0
+    return len(code)
 
 
-def mutations_of(line):
-    """The changed lines, each once."""
-    code = line.split("//")[0]
-    found = []
-    binary = r"(?<= )(\+|-|\*|/|<=|>=|<|>|==|!=|&&|\|\||>>|<<|&)(?= )|(?<=\))[-+*](?=[A-Za-z])"
+def operand_start(code, end, operator):
+    """Where the operand that ends at `end` starts."""
+    depth = 0
+    for i in range(end - 1, -1, -1):
+        c = code[i]
+        depth += (c in ")]}") - (c in "([{")
+        depth += (c == ">") - (c == "<") if is_bracket(code, i) else 0
+        if depth < 0 or (depth == 0 and c in ";,{}" and c != "}"):
+            return i + 1
+        if depth == 0 and c in " \n" and re.search(rf"(^|[ \n)])({LOOSER[operator]}|=|return|:)$", code[:i]):
+            return i + 1
+    return 0
+
+
+def edits_of(code, text):
+    """(start, end, what instead), each a slip."""
+    binary = r"(?<=[ \n])(\+|-|\*|/|<=|>=|<|>|==|!=|&&|\|\||>>|<<|&)(?=[ \n])|(?<=\))[-+*](?=[A-Za-z])"
     for match in re.finditer(binary, code):
         operator, (start, end) = match.group(0), match.span()
-        found.append(code[:start] + SWAPS[operator] + code[end:])
-        if operator in "+-":  # without the term
-            found.append(code[:start].rstrip() + code[end_of(code, end + 1, [" + ", " - ", " == ", " >= ", " <= ", " < ",
-                                                                            " > ", " && ", " || ", " : "]):])
-        if operator == "*":  # without either factor
-            found.append(code[:start].rstrip() + code[end_of(code, end + 1, [" + ", " - ", " * ", " / ", " == ", " < ",
-                                                                            " > ", " && ", " || ", " : ", ")-", ")+"]):])
-    for match in re.finditer(r"(?<=[ (,={])-(?=[A-Za-z(])", code):  # a sign
-        found.append(code[:match.start()] + code[match.end():])
-    for match in re.finditer(r"(?<=[ (])!(?=[A-Za-z(])", code):
-        found.append(code[:match.start()] + code[match.end():])
-    for match in re.finditer(r"graze::twice\(", code):  # a factor of 2
-        found.append(code[:match.start()] + "(" + code[match.end():])
+        yield start, end, SWAPS[operator]
+        level = {"-": "+", "||": "&&"}.get(operator, operator)
+        if level in ("+", "*", "&&"):  # without what follows, and without what comes before
+            yield start, operand_end(code, end + 1, level), ""
+            before = operand_start(code, len(code[:start].rstrip()), level)
+            yield before, end, ""
+    for match in re.finditer(r"(?<=[ \n])\?(?=[ \n])", code):  # one arm of a choice, always
+        colon = operand_end(code, match.end() + 1, "?")
+        last = operand_end(code, colon + 2, ":")
+        before = operand_start(code, len(code[:match.start()].rstrip()), "?")
+        yield before, last, text[match.end() + 1:colon]
+        yield before, last, text[colon + 2:last]
+    for match in re.finditer(r"(?<=[ (,={\n])-(?=[A-Za-z(\d])", code):  # a sign
+        yield match.start(), match.end(), ""
+    for match in re.finditer(r"(?<=[ (\n])!(?=[A-Za-z(])", code):
+        yield match.start(), match.end(), ""
+    for match in re.finditer(r"graze::twice(?=\()", code):  # a factor of 2
+        yield match.start(), match.end(), ""
     for match in re.finditer(r"(?<![\w.])\d(?![\w.])", code):  # an index or constant
         digit = match.group(0)
-        found.append(code[:match.start()] + {"0": "1", "1": "0"}.get(digit, str(int(digit) - 1)) + code[match.end():])
-    for old, new in [("dot(", "cross("), ("cross(", "dot("), (".dx", ".du"), (".du", ".dx"), (".w", ".u"), (".u", ".w"),
-                     ("true", "false"), ("false", "true"), ("height", "speed"), ("speed", "height"),
-                     ("inverse_a", "inverse_b"), ("inverse_b", "inverse_a"), ("dx", "du"), ("position_a", "position_b"),
-                     ("velocity_a", "velocity_b")]:
+        yield match.start(), match.end(), {"0": "1", "1": "0"}.get(digit, str(int(digit) - 1))
+    for old, new in NAMES:
         for match in re.finditer(r"(?<!\w)" + re.escape(old) + (r"(?!\w)" if old[-1].isalnum() else ""), code):
-            found.append(code[:match.start()] + new + code[match.end():])
-    return [m for m in dict.fromkeys(found) if m != code]
+            yield match.start(), match.end(), new
 
 
-def all_mutations(only):
+def squeezed(text):
+    return " ".join(text.split())
+
+
+class Slip:
+    """A header with one change; what is shown of it are the lines that differ."""
+
+    def __init__(self, header, text, start, end, instead):
+        self.header = header
+        self.text = text[:start] + instead + text[end:]
+        self.number = text.count("\n", 0, start) + 1
+        first = text.rfind("\n", 0, start) + 1
+        last = text.find("\n", end)
+        self.key = (header.name, squeezed(text[first:last]), squeezed(text[first:start] + instead + text[end:last]))
+
+
+def all_slips(only):
     for header in sorted(FORMULAS.glob("*.hpp")):
         if only and header.stem not in only:
             continue
-        lines = header.read_text().split("\n")
-        for number, line in enumerate(lines):
-            if is_code(line):
-                for mutated in mutations_of(line):
-                    yield header, number, line, mutated
+        text = header.read_text()
+        code = code_of(text)
+        seen = set()
+        for edit in edits_of(code, text):
+            slip = Slip(header, text, *edit)
+            if slip.key[1] != slip.key[2] and slip.text not in seen:
+                seen.add(slip.text)
+                yield slip
 
 
 REFUTED = re.compile(r"static assertion failed|not a constant expression|not constant|is not an integral constant")
@@ -102,38 +170,37 @@ REFUTED = re.compile(r"static assertion failed|not a constant expression|not con
 
 def compile_proof(proof, compiler, folder=None):
     """What the compiler says, or nothing where the proof holds."""
-    command = [compiler, "-std=c++20", "-fsyntax-only", "-w", f"-I{ROOT / 'include'}",
+    command = [compiler, "-std=c++20", "-fsyntax-only", "-w", "-Wfatal-errors", f"-I{ROOT / 'include'}",
                str(ROOT / "proofs" / f"{proof}.cpp")]
     if folder:
         command.insert(1, f"-I{folder}")
     if "clang" in compiler:
         command.insert(1, "-fconstexpr-steps=100000000")
-    run = subprocess.run(command, capture_output=True, check=False, text=True)
+    else:
+        command.insert(1, "-fconstexpr-ops-limit=1000000000")
+    try:
+        run = subprocess.run(command, capture_output=True, check=False, text=True, timeout=600)
+    except subprocess.TimeoutExpired:
+        return "static assertion failed: the proof does not end"
     return None if run.returncode == 0 else run.stderr or "no message"
 
 
-def verdict_on(mutation, compiler, proofs):
+def verdict_on(slip, compiler, proofs, near):
     """caught: a proof does not hold. stillborn: no proof compiles for another reason. missed: all proofs hold."""
-    header, number, _, mutated = mutation
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / "graze/formula"
         copy.mkdir(parents=True)
-        lines = header.read_text().split("\n")
-        lines[number] = mutated
-        (copy / header.name).write_text("\n".join(lines))
-        first = ABOUT.get(header.stem, [])
-        verdict = "missed"
-        for proof in first + [p for p in proofs if p not in first]:
+        (copy / slip.header.name).write_text(slip.text)
+        first = [p for p in ABOUT.get(slip.header.stem, []) if p in proofs]
+        for proof in first + ([] if near else [p for p in proofs if p not in first]):
             said = compile_proof(proof, compiler, folder)
-            if said and REFUTED.search(said):
-                return "caught"
             if said:
-                return "stillborn"
-    return verdict
+                return ("caught" if REFUTED.search(said) else "stillborn"), proof
+    return "missed", ""
 
 
 def equivalents():
-    """From header, line and changed line to the reason."""
+    """From header, lines and changed lines to the reason."""
     known = {}
     for line in (pathlib.Path(__file__).parent / "equivalent.txt").read_text().split("\n"):
         if line and not line.startswith("#"):
@@ -150,34 +217,38 @@ def main():
     parser.add_argument("--sample", type=int)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--verbose", action="store_true", help="say which proof caught each")
+    parser.add_argument("--near", action="store_true", help="try only the proofs that are about the header")
     options = parser.parse_args()
 
     known = equivalents()
     proofs = [p for p in PROOFS if (ROOT / "proofs" / f"{p}.cpp").exists()]
-    everything = list(all_mutations(options.only))
+    everything = list(all_slips(options.only))
     chosen = everything
     if options.sample:
         random.seed(options.seed)
-        chosen = random.sample([m for m in everything if (m[0].name, m[2].strip(), m[3].strip()) not in known],
-                               options.sample)
+        chosen = random.sample([s for s in everything if s.key not in known], options.sample)
     if options.list:
-        for header, number, _, mutated in chosen:
-            print(f"{header.name}:{number + 1}: {mutated.strip()}")
+        for slip in chosen:
+            print(f"{slip.header.name}:{slip.number}: {slip.key[1]} | {slip.key[2]}")
         return 0
     # What does not hold unchanged would catch everything.
-    about = {p for header, *_ in chosen for p in ABOUT.get(header.stem, [])}
-    for proof in sorted(about) if options.sample else proofs:
+    about = {p for slip in chosen for p in ABOUT.get(slip.header.stem, []) if p in proofs}
+    for proof in sorted(about) if options.sample or options.near else proofs:
         if said := compile_proof(proof, options.compiler):
             print(f"{proof} does not compile unchanged:\n{said}")
             return 2
-    listed = [m for m in chosen if (m[0].name, m[2].strip(), m[3].strip()) in known]
-    unlisted = [m for m in chosen if m not in listed]
+    listed = [s for s in chosen if s.key in known]
+    unlisted = [s for s in chosen if s.key not in known]
     count = {"caught": 0, "stillborn": 0, "missed": 0}
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for m, verdict in zip(unlisted, pool.map(lambda x: verdict_on(x, options.compiler, proofs), unlisted)):
+        for slip, (verdict, proof) in zip(unlisted,
+                                          pool.map(lambda x: verdict_on(x, options.compiler, proofs,
+                                                                                   options.near), unlisted)):
             count[verdict] += 1
-            if verdict == "missed":
-                print(f"{m[0].name} | {m[2].strip()} | {m[3].strip()} | not noticed", flush=True)
+            if verdict == "missed" or options.verbose:
+                said = "not noticed" if verdict == "missed" else f"{verdict} by {proof}"
+                print(" | ".join([*slip.key, said]), flush=True)
     print(f"{len(everything)} slips, {len(chosen)} tried: {count['caught']} caught, {count['stillborn']} do not compile, "
           f"{len(listed)} change nothing, {count['missed']} not noticed")
     return 1 if count["missed"] or not count["caught"] else 0

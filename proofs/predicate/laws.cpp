@@ -186,4 +186,44 @@ struct times_of_collisions {
 static_assert(of_all<times_of_collisions>);
 static_assert(*time_of_impact(passing(7), still) == 2.0);
 
+// 7. A plane is never missed and never grazed.
+static_assert(classify(at_plane, askew) != encounter::miss && classify(at_plane, askew) != encounter::graze);
+// Parallel to it, and one unit in the last place from that, to either side.
+constexpr encounter along(double up) { return classify(ball<2>{{0, 3}, {1, up}, 1}, plane<2>{{0, 0}, {0, 1}}); }
+static_assert(along(0) == encounter::recede && along(ulp) == encounter::recede && along(-ulp) == encounter::hit);
+
+// 8. A wall is met no earlier than its plane, where both are met: with its face at the same time, with its end later.
+constexpr plane<2> of_segment{{5, -3}, {-6, 0}};
+static_assert(*time_of_impact(thrown(3), segment) == *time_of_impact(thrown(3), of_segment));
+static_assert(*time_of_impact(thrown(3 + 4 * ulp), segment) > *time_of_impact(thrown(3 + 4 * ulp), of_segment));
+static_assert(*time_of_impact(thrown(7), segment) > *time_of_impact(thrown(7), of_segment));
+
+// 9. A larger ball is met no later.
+static_assert(*time_of_impact(passing(7 + 4 * ulp), still) < *time_of_impact(passing(7), still));
+static_assert(*time_of_impact(passing(8), still) < *time_of_impact(passing(7 + 4 * ulp), still));
+static_assert(*time_of_impact(passing(90), still) == 0.0, "inside: now");
+
+// 10. overlap is what overlaps and does not recede.
+struct overlap_now {
+    template <class A, class B>
+    constexpr bool operator()(const A& a, const B& b) const {
+        const encounter what = classify(a, b);
+        return (what == encounter::overlap) == (overlaps(a, b) && what != encounter::recede);
+    }
+};
+static_assert(of_all<overlap_now>);
+static_assert(overlap_now{}(passing(90), still) && overlaps(passing(90), still));
+static_assert(overlap_now{}(still, passing(7)) && overlap_now{}(ball<2>{{1, 0}, {1, 0}, 1}, still), "parting inside");
+static_assert(!overlaps(ball<2>{{13, 0}, {-1, 0}, 7}, still), "touching is not overlapping");
+static_assert(overlaps(ball<2>{{13, 0}, {-1, 0}, 7 + 4 * ulp}, still));
+
+// 11. Numbers stand in the same order as times.
+constexpr bool among_numbers(const impact_time<2>& t) {
+    return t.lower() <= t && t <= t.upper() && (t == t.lower()) == (t.lower() == t.upper());
+}
+static_assert(among_numbers(three[0]) && among_numbers(three[1]) && among_numbers(three[2]));
+constexpr auto irrational = *time_of_impact(passing(8), still);
+static_assert(among_numbers(irrational) && irrational.lower() < irrational.upper() && irrational != irrational.lower());
+static_assert(irrational < 2.0 && three[1] == 2.0 && irrational < three[1], "through a number");
+
 } // namespace

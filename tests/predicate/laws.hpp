@@ -135,4 +135,52 @@ void collisions_have_times(const A& a, const B& b) {
     RC_ASSERT(answer.what != graze::encounter::overlap || answers::order_of(*answer.time, 0.0) == 0);
 }
 
+// 7. A plane is never missed and never grazed.
+template <int N, class T>
+void planes_are_met(const graze::ball<N, T>& a, const graze::plane<N, T>& p) {
+    const auto what = answers::of(a, p).what;
+    RC_ASSERT(what != graze::encounter::miss && what != graze::encounter::graze);
+}
+
+// 8. A wall is met no earlier than its plane, where both are met. In the plane, whose normals are doubles.
+inline void walls_lie_in_planes(const graze::ball<2, double>& a, const graze::wall<2, double>& w) {
+    const graze::plane<2, double> p{w.corner, {-w.edge[0][1], w.edge[0][0]}};
+    const auto wall = answers::of(a, w);
+    const auto plane = answers::of(a, p);
+    RC_ASSERT(!wall.time || !plane.time || answers::order_of(*plane.time, *wall.time) <= 0);
+}
+
+// 9. A larger ball is met no later.
+template <int N>
+void larger_is_earlier(graze::ball<N, double> a, const graze::ball<N, double>& b) {
+    const auto answer = answers::of(a, b);
+    a.radius = *rc::gen::element(std::nextafter(a.radius, std::numeric_limits<double>::infinity()), a.radius * 1.5);
+    if (answer.time && std::isfinite(a.radius)) {
+        const auto larger = answers::of(a, b);
+        RC_ASSERT(larger.time.has_value());
+        RC_ASSERT(answers::order_of(*larger.time, *answer.time) <= 0);
+    }
+}
+
+// 10. overlap is what overlaps and does not recede.
+template <class A, class B>
+void overlap_is_now(const A& a, const B& b) {
+    const auto answer = answers::of(a, b);
+    RC_ASSERT((answer.what == graze::encounter::overlap) ==
+              (answer.overlaps && answer.what != graze::encounter::recede));
+}
+
+// 11. Numbers stand in the same order as times.
+template <int N>
+void numbers_in_order(const std::optional<graze::impact_time<N, double>>& x,
+                      const std::optional<graze::impact_time<N, double>>& y) {
+    if (x && y) {
+        const double lower = x->lower(), upper = x->upper();
+        RC_ASSERT(answers::order_of(*x, lower) >= 0 && answers::order_of(*x, upper) <= 0);
+        RC_ASSERT((answers::order_of(*x, lower) == 0) == (lower == upper));
+        RC_ASSERT(answers::order_of(*y, upper) <= 0 || answers::order_of(*x, *y) < 0);
+        RC_ASSERT(answers::order_of(*y, lower) >= 0 || answers::order_of(*x, *y) > 0);
+    }
+}
+
 } // namespace laws

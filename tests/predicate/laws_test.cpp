@@ -22,16 +22,22 @@ void all_laws(const A& a, const B& b) {
     laws::presentation(a, b);
     laws::scaling(a, b);
     laws::collisions_have_times(a, b);
+    laws::overlap_is_now(a, b);
 }
 
 template <int N>
 void all_laws(const families::pair_of_doubles<N>& pair) {
     if (pair.kind == families::pair_kind::ball_ball) {
         all_laws(pair.a, pair.b);
+        laws::larger_is_earlier(pair.a, pair.b);
     } else if (pair.kind == families::pair_kind::ball_plane) {
         all_laws(pair.a, pair.plane);
+        laws::planes_are_met(pair.a, pair.plane);
     } else {
         all_laws(pair.a, pair.wall);
+        if constexpr (N == 2) {
+            laws::walls_lie_in_planes(pair.a, pair.wall);
+        }
     }
 }
 
@@ -54,6 +60,7 @@ bool times_are_ordered() {
         const auto x = time_of_any<N>();
         const auto y = time_of_any<N>();
         laws::order(x, y, time_of_any<N>());
+        laws::numbers_in_order(x, y);
     });
 }
 

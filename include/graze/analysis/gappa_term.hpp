@@ -22,12 +22,18 @@ class gappa_script {
     // An input: a value that is exact, or one that was rounded once. |value| <= 1.
     [[nodiscard]] gappa_term exact_input(const std::string& name);
     [[nodiscard]] gappa_term rounded_input(const std::string& name);
+    // A value of which another proof says: it is `exact`, an expression, but for at most `error` units u, another one.
+    // Both may name inputs and each other: "exact_" + name is the value that `name` stands for.
+    [[nodiscard]] gappa_term approximate_input(const std::string& name, const std::string& exact,
+                                               const std::string& error);
 
     // A fact about computed or exact values that the formula's caller guarantees.
     void suppose(const std::string& fact) { hypotheses_ += (hypotheses_.empty() ? "   " : "/\\ ") + fact + "\n "; }
 
     // The whole script, with a goal: "?" asks for the smallest bound of |t - m| that Gappa finds, "[0,K]" to prove K.
-    [[nodiscard]] std::string text(const gappa_term& result, const std::string& goal = "?") const;
+    // pieces, where given, says how to divide the domain, as Gappa reads it: "x in (0.5,0.7), y in 4".
+    [[nodiscard]] std::string text(const gappa_term& result, const std::string& goal = "?",
+                                   const std::string& pieces = "") const;
 
   private:
     friend class gappa_term;
@@ -119,9 +125,20 @@ inline gappa_term gappa_script::rounded_input(const std::string& name) {
     suppose(name + " -/ exact_" + name + " in [-" + unit_ + "," + unit_ + "]");
     return {this, name, "exact_" + name};
 }
-inline std::string gappa_script::text(const gappa_term& result, const std::string& goal) const {
-    return definitions_ + "{\n " + hypotheses_ + "-> |" + result.computed() + " - " + result.exact() + "| in " + goal +
-           " }\n" + hints_;
+inline gappa_term gappa_script::approximate_input(const std::string& name, const std::string& exact,
+                                                  const std::string& error) {
+    const std::string known = "exact_" + name;
+    const std::string delta = "error_" + name + " * (" + error + ")";
+    definitions_ += known + " = " + exact + ";\n" + name + " = " + known + " + " + delta + ";\n";
+    suppose("error_" + name + " in [-" + unit_ + "," + unit_ + "]");
+    hints_ += name + " - " + known + " -> " + delta + ";\n";
+    return {this, name, known};
+}
+inline std::string gappa_script::text(const gappa_term& result, const std::string& goal,
+                                      const std::string& pieces) const {
+    const std::string error = "|" + result.computed() + " - " + result.exact() + "|";
+    return definitions_ + "{\n " + hypotheses_ + "-> " + error + " in " + goal + " }\n" + hints_ +
+           (pieces.empty() ? "" : error + " $ " + pieces + ";\n");
 }
 
 template <>

@@ -84,12 +84,19 @@ struct number_traits<range_bound<Digits>> {
     static constexpr int digits = Digits;
     using bound = range_bound<Digits>;
 
-    // Of a range that has one.
+    // The one of every computed value, which may lie beside the range by its error.
     static constexpr int sign(const bound& x) {
-        if (x.low < 0 && x.high > 0) {
+        const double beside = bound::unit * x.error;
+        if (x.low - beside > 0) {
+            return 1;
+        }
+        if (x.high + beside < 0) {
+            return -1;
+        }
+        if (x.low < 0 || x.high > 0 || x.error > 0) {
             throw std::domain_error("range_bound: a sign that is not known");
         }
-        return x.high > 0 ? 1 : x.low < 0 ? -1 : 0;
+        return 0;
     }
     static constexpr bound twice(const bound& x) { return {2 * x.low, 2 * x.high, 2 * x.error}; }
     // |√x̂ - √x| = |x̂ - x|/(√x̂ + √x).

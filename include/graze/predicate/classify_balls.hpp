@@ -151,11 +151,11 @@ template <int N, class T>
 } // namespace detail
 
 // The laws of all predicates, for balls, planes and walls (by these numbers proved on hard cases in
-// proofs/predicate/laws.cpp and tried on random ones in tests/predicate/laws.hpp). The answer stays the same
+// proofs/predicate/laws.cpp and tried on random ones in tests/predicate/laws.hpp; those of one predicate alone stand
+// above it). The answer stays the same
 //   1. when the axes are permuted or mirrored;
 //   2. when the same things are written otherwise: balls exchanged, a normal reversed, a wall's edges exchanged or
-//   drawn
-//      from the other end;
+//      drawn from the other end;
 //   3. when lengths, velocities and normals are scaled by a power of two each, but that times scale;
 //   4. in another frame of reference, and elsewhere, if the shifted numbers are exact.
 //   5. Times are in one order, whatever met whatever: of <, == and > exactly one holds, and < is transitive.

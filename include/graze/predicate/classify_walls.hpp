@@ -6,6 +6,9 @@
 
 namespace graze {
 
+// Laws 1 to 4 and 6 of classify_balls.hpp, and
+//   7. a plane is never missed and never grazed: what approaches it meets it.
+
 // Whether a ball meets an infinite plane, exactly, for every finite input: recede, overlap or hit. Throws
 // std::domain_error that names the argument and the field when an input is not finite, the radius is negative or the
 // normal is zero; in a constant expression such input does not compile. Eq. (33), completed with the radius.
@@ -27,6 +30,9 @@ template <int N, class T, class Observer>
 }
 
 } // namespace detail
+
+// Laws 1 to 4 and 6 of classify_balls.hpp, and
+//   8. a wall is met no earlier than its plane, where both are met.
 
 // Whether a ball meets a bounded wall, exactly, for every finite input: its face, an edge or a corner, whichever is
 // first. Throws as for a plane when an input is not finite, the radius is negative, an edge is zero or the edges are

@@ -21,6 +21,10 @@ struct impact_time_key {
 
 } // namespace detail
 
+// Law 5 of classify_balls.hpp, and
+//   11. numbers stand in the same order: lower() <= τ <= upper(), τ is one of them only if it is both, and what is
+//       before a number that is before another time is before that time.
+
 // The first time τ >= 0 at which a pair touches (0 for an overlap), counted from the instant at which positions are
 // given. A regular type but for a default value: two are equal exactly when their times are, whatever met whatever.
 // Comparisons look at an enclosure in doubles first and at the inputs, which the value keeps, only when the enclosures

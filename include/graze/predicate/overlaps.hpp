@@ -6,6 +6,9 @@
 
 namespace graze {
 
+// Laws 1 to 4 of classify_balls.hpp, and
+//   10. classify says overlap of what overlaps and does not recede, and of nothing else.
+
 // Whether |Δx|² < R², exactly. Touching is not overlapping. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>

@@ -44,8 +44,10 @@ template <int N, class T>
 
 } // namespace detail
 
-// The exact time at which two balls touch first; empty for recede and miss. Throws as classify does. Laws 1 to 6 of
-// classify.
+// Laws 1 to 6 of classify_balls.hpp, and
+//   9. a larger ball is met no later.
+
+// The exact time at which two balls touch first; empty for recede and miss. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
