@@ -19,6 +19,16 @@ namespace round_off {
 template <class Q, int N, class T>
 inline constexpr double constant = bounds::constant<Q, N, graze::number_traits<T>::digits + 1>;
 
+// Exactly, however small: types with more exponents than double have numbers that no double is near.
+template <class T>
+mpq_class exact_value(T x) {
+    mpq_class unit = 1;
+    for (; graze::sign(x) != 0 && std::fabs(static_cast<double>(x)) < 0x1p-500; x = x * T(0x1p500)) {
+        unit *= mpq_class(0x1p-500);
+    }
+    return inexact::exact_value(x) * unit;
+}
+
 inline mpf_class precise(const graze::gmp_rational& x) { return {x.value(), 2000}; }
 inline mpf_class precise(const graze::sqrt_extension<graze::gmp_rational>& x) {
     return precise(x.p()) + precise(x.q()) * sqrt(precise(x.d()));
@@ -40,7 +50,7 @@ double error_in_units(const std::vector<T>& inputs) {
         if (!std::isfinite(static_cast<double>(x))) {
             return -1;
         }
-        held.emplace_back(inexact::exact_value(x));
+        held.emplace_back(exact_value(x));
     }
     bounds::rounded_source<T> rounded(inputs);
     const T computed = Q::template run<N>(rounded);
@@ -55,7 +65,7 @@ double error_in_units(const std::vector<T>& inputs) {
     try {
         bounds::exact_source<graze::gmp_rational> exact(held);
         const mpf_class truth = precise(Q::template run<N>(exact));
-        const mpf_class difference = mpf_class(inexact::exact_value(computed), 2000) - truth;
+        const mpf_class difference = mpf_class(exact_value(computed), 2000) - truth;
         return std::ldexp(std::fabs(difference.get_d()), graze::number_traits<T>::digits) / scale * (1 - 0x1p-45);
     } catch (const bounds::outside_domain&) {
         return -1;
