@@ -57,7 +57,7 @@ double error_in_units(const std::vector<T>& inputs) {
     const auto norms = rounded.norms(N);
     double scale = 1;
     for (std::size_t i = 0; i < Q::degree.size(); ++i) {
-        if (!in_range(norms[i])) {
+        if (!in_range(norms[i]) && (Q::degree[i] != 0 || norms[i] != 0)) {
             return -1;
         }
         scale *= std::pow(norms[i], Q::degree[i]);
