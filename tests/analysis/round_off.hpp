@@ -215,16 +215,17 @@ void half_is_not_enough() {
     CHECK(worst > k / 2);
 }
 
-// Of each the slack that is stated: how much less than the bound a short search finds.
+// Of each the slack that is stated: how much less than the bound so short a search finds in any of the types. (A long
+// one in two types: docs/reference/error-bounds.md.)
 template <class T>
 void check_type() {
     holds_in_every_family<T, bounds::textbook, 2>(8);
     holds_in_every_family<T, bounds::halved, 3>(8);
     holds_in_every_family<T, bounds::lagrange, 2>(8);
     holds_in_every_family<T, bounds::lagrange, 3>(8);
-    holds_in_every_family<T, bounds::time_lagrange<10>, 3>(40);
+    holds_in_every_family<T, bounds::time_lagrange<10>, 3>(60);
     holds_in_every_family<T, bounds::clearance, 3>(8);
-    holds_in_every_family<T, bounds::touch<6>, 3>(40);
+    holds_in_every_family<T, bounds::touch<6>, 3>(200);
     half_is_not_enough<T>();
 }
 
