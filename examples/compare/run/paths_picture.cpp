@@ -69,6 +69,7 @@ std::string paths_picture(const run_report& r, const judged_history& beside) {
     }
     p.margins(62, 20, 40, 46);
     p.add("set size ratio -1");
+    p.add("set clip two"); // planes begin and end outside
     p.add("set xrange [" + exactly(around.low[0] - pad) + ":" + exactly(around.high[0] + pad) + "]");
     p.add("set yrange [" + exactly(around.low[1] - pad) + ":" + exactly(around.high[1] + pad) + "]");
     p.label("true", "screen 0.06", "screen 0.98", "left", ink::best);
