@@ -89,11 +89,15 @@ std::string exactness_picture(const results& found, format size) {
             exactly(std::log10(*c.nanoseconds)) + " " + exactly(height_of(c)) + " " + p.text(hover_text(c)) + "\n";
     }
     placement places({left - 4, top, p.width() - 2.0, p.height() - bottom + 4.0}, occupied);
-    std::vector<const candidate*> named = front_of(points);
+    std::vector<const candidate*> named; // of the formulas only what is right everywhere, and plain double
     for (const auto& c : points) {
-        const bool telling = is_plain_double(c.type, c.variant, c.root) || c.variant.empty();
-        if (telling && std::ranges::find(named, &c) == named.end()) {
+        if (is_plain_double(c.type, c.variant, c.root) || c.variant.empty()) {
             named.push_back(&c);
+        }
+    }
+    for (const auto* c : front_of(points)) {
+        if (c->imperfect == 0 && std::ranges::find(named, c) == named.end()) {
+            named.push_back(c);
         }
     }
     for (const auto* c : named) {
