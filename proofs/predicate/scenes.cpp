@@ -104,6 +104,10 @@ constexpr auto tilted =
 static_assert(tilted.what == encounter::hit && tilted.normal[0] == surd(rational(1, 3)));
 static_assert(squared_norm(tilted.position - tilted.point) == surd(4) && squared_norm(tilted.velocity) == surd(5));
 static_assert(tilted.point[0] + surd(2) * (tilted.point[1] + tilted.point[2]) == surd(0), "on the plane");
+static_assert(tilted.where == feature::face && tilted.index == 0 && tilted.discriminant == rational(0));
+constexpr auto sunk = solve(exact_ball<2>{{{3, 1}}, {{1, -1}}, 2}, plane<2, rational>{{{0, 0}}, {{0, 3}}});
+static_assert(sunk.what == encounter::overlap && sunk.point[0] == surd(3) && sunk.point[1] == surd(0) &&
+              sunk.normal[1] == surd(1) && sunk.velocity[1] == surd(1));
 constexpr auto from_below =
     solve(exact_ball<2>{{{0, -5}}, {{1, 1}}, 1}, plane<2, rational>{{{0, 0}}, {{1, 2}}}); // |n| = √5
 static_assert(from_below.what == encounter::hit && sign(from_below.time.q()) != 0 &&
