@@ -1,7 +1,7 @@
 // The largest rounding error that a search finds, in every rounding mode.
 #pragma once
 
-#include "quantities.hpp"
+#include "constants.hpp"
 
 #include "../../examples/families/random.hpp"
 

@@ -3,7 +3,7 @@
 // and with numbers of all of T's bits beside them.
 #pragma once
 
-#include "../../proofs/bounds/quantities.hpp"
+#include "../../proofs/bounds/constants.hpp"
 #include "../formula/inexact.hpp"
 #include "../soak/more_families.hpp"
 
