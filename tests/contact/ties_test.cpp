@@ -27,11 +27,9 @@ T last(T x) {
 template <class T>
 struct fixture {
     using v2 = graze::vec<2, T>;
-    using v3 = graze::vec<3, T>;
     using ball2 = graze::ball<2, T>;
     using ball3 = graze::ball<3, T>;
     using plane2 = graze::plane<2, T>;
-    using plane3 = graze::plane<3, T>;
     using wall2 = graze::wall<2, T>;
     using wall3 = graze::wall<3, T>;
 

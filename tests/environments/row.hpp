@@ -35,7 +35,6 @@ inline constexpr const char* type_name<std::int64_t> = "int64";
     const auto size = static_cast<std::size_t>(n);
     return 2 * size + 1 + (p == partner::ball ? 2 * size + 1 : p == partner::plane ? 2 * size : size * size);
 }
-inline constexpr std::size_t longest_row = row_length(partner::wall, 3);
 
 // Takes shapes from consecutive numbers.
 template <int N, class T>

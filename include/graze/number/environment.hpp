@@ -47,9 +47,4 @@ inline constexpr bool has_error_free_doubles = false;
 #endif
 }
 
-// Whether error-free transforms can be relied on here and now.
-[[nodiscard, gnu::always_inline]] inline bool error_free_now() noexcept {
-    return has_error_free_doubles && rounds_to_nearest();
-}
-
 } // namespace graze::detail

@@ -63,13 +63,6 @@ class integer {
         detail::repeat<limbs>([&](int i) { limb_[static_cast<unsigned>(i)] = x.limb(i); });
     }
 
-    // The value of a 64-bit word of which the caller knows that it fits.
-    [[nodiscard]] static constexpr integer from_word(std::int64_t value) noexcept {
-        integer x;
-        x.fill(value);
-        return x;
-    }
-
     // significand · 2^shift, of which the caller knows that it fits; 0 <= shift.
     [[nodiscard]] static constexpr integer from_shifted(std::int64_t significand, int shift) noexcept {
         integer x;

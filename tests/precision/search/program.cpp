@@ -103,14 +103,13 @@ int merge(const options& o, const graze::precision::subjects& formulas) {
     return 0;
 }
 
-int chosen(CLI::App& app, CLI::App& merging, options& o, const graze::precision::subjects& formulas) {
+int chosen(const CLI::App& merging, options& o, const graze::precision::subjects& formulas) {
     if (merging.parsed()) {
         return merge(o, formulas);
     }
     if (o.of.figure.empty()) {
         throw std::invalid_argument("--figure is needed; --help tells more");
     }
-    static_cast<void>(app);
     split_shard(o);
     const goal g = goal_of(o.of, formulas);
     std::signal(SIGINT, on_signal);
@@ -150,7 +149,7 @@ int run(int argc, char** argv, const graze::precision::subjects& formulas) {
     merging->add_option("in", o.merged_from, "Files of one search's shards")->required()->check(CLI::ExistingFile);
     CLI11_PARSE(app, argc, argv);
     try {
-        return chosen(app, *merging, o, formulas);
+        return chosen(*merging, o, formulas);
     } catch (const std::exception& e) {
         std::fprintf(stderr, "graze-search: %s\n", e.what());
         return 2;
