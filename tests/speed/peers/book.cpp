@@ -30,7 +30,7 @@ one run. A chapter's own page has its tables and the figures behind each mark.</
 
 constexpr const char* about_fallback = R"(<h2>How often graze needs integers</h2>
 <p>A decision is first tried in floating point, with a proven bound on its error; where that is not certain, integers settle it.
-On ordinary pairs that is never; the families are made of those where it is needed.</p>
+On ordinary pairs of balls that is never; most families are made of those where it is needed.</p>
 )";
 
 std::string image(const std::string& file, const std::string& what) {
