@@ -93,6 +93,23 @@ TEST_CASE("a mirror keeps its flight, whatever it meets") {
     CHECK(finished.flights[2].since == 1.25 + 99 * 2.5);
 }
 
+TEST_CASE("a mirror that meets a plane or a wall is told, and flies on") {
+    const planes flat = {{{{0, 0}}, {{1, 0}}}};
+    const walls upright = {{{{7, -1}}, {{{{0, 2}}}}}};
+    for (const double x : {-3.0, -0.5}) { // comes to the plane, and cuts it
+        const balls mirror = {{{{x, 0}}, {{1, 0}}, 1, infinite}};
+        std::vector<graze::meeting> met;
+        const auto finished = run_exactly<2>({mirror, flat, upright}, {}, [&](const exact_event<2>& e) {
+            met.push_back(e.who);
+            return true;
+        });
+        CHECK(finished.outcome.why == graze::ending::exhausted);
+        CHECK(met == std::vector<graze::meeting>{{graze::partner::plane, 0, 0}, {graze::partner::wall, 0, 0}});
+        CHECK(finished.flights[0].since == 0);
+        CHECK(finished.flights[0].state.velocity[0] == 1);
+    }
+}
+
 TEST_CASE("what overlaps and approaches is resolved at once, what parts is left alone") {
     balls two = {{{{0, 0}}, {{1, 0}}, 1, 1}, {{{1, 0}}, {{0, 0}}, 1, 1}};
     auto finished = run_exactly<2>({two, {}, {}}, {});
@@ -132,6 +149,8 @@ TEST_CASE("events of exactly the time asked for are done, and a later call goes 
     CHECK(at_last.events == 1);
     CHECK(at_last.why == graze::ending::time);
     CHECK(run.advance({.events = 3}).why == graze::ending::events);
+    CHECK_THROWS_WITH_AS(run.advance({.time = std::nan("")}), "the time limit is not a number", std::domain_error);
+    CHECK(run.advance({.events = 1}).events == 1);
 }
 
 TEST_CASE("an observer stops a run, and its exception loses nothing") {
@@ -174,4 +193,53 @@ TEST_CASE("a point that a ball pins to a wall does not pass through it") {
     CHECK(finished.outcome.why == graze::ending::exhausted);
     CHECK(finished.outcome.events == 3141);
     CHECK(finished.flights[0].state.velocity[0] > 0);
+}
+
+TEST_CASE("a point that comes to a corner leaves it on the side from which it came") {
+    const balls point = {{{{1.5, 1.5}}, {{-1, -1}}, 0, 1}};
+    const planes edges = {{{{0.5, 0.5}}, {{1, 0}}}, {{{0.5, 0.5}}, {{0, 1}}}};
+    const walls sides = {{{{0.5, 0.5}}, {{{{1, 0}}}}}, {{{0.5, 0.5}}, {{{{0, 1}}}}}};
+    for (const auto& corner : {graze::scene<2>{point, edges, {}}, graze::scene<2>{point, {}, sides}}) {
+        const auto finished = run_exactly<2>(corner, {});
+        CHECK(finished.outcome.events == 2);
+        CHECK(finished.outcome.choices == 1);
+        CHECK(finished.flights[0].since == 1);
+        CHECK(finished.flights[0].state.velocity == graze::vec<2, double>{{1, 1}});
+        graze::run<plain> run(corner);
+        CHECK(run.advance({}).events == 2);
+        CHECK(run.in_flight(0).state.velocity == graze::vec<2, double>{{1, 1}});
+    }
+    // Where a mirror stands on the plane, and in a wedge of atan(1/4), which straightened out is left after 13 faces.
+    const balls at_mirror = {{{{1, 0}}, {{-1, 0}}, 0, 1}, {{{0, -1}}, {{0, 0}}, 1, infinite}};
+    const planes upright = {{{{0, 0}}, {{1, 0}}}};
+    auto finished = run_exactly<2>({at_mirror, upright, {}}, {});
+    CHECK(finished.outcome.events == 2);
+    CHECK(finished.flights[0].state.velocity == graze::vec<2, double>{{1, 0}});
+    const balls into_wedge = {{{{8, 1}}, {{-8, -1}}, 0, 1}};
+    const planes wedge = {{{{0, 0}}, {{0, 1}}}, {{{0, 0}}, {{-1, 4}}}};
+    finished = run_exactly<2>({into_wedge, wedge, {}}, {});
+    CHECK(finished.outcome.events == 13);
+    const auto& out = finished.flights[0].state.velocity;
+    CHECK(out[1] > 0);
+    CHECK(out[0] > 4 * out[1]);
+}
+
+TEST_CASE("a point in a box with slanted sides stays in it, into the corners too") {
+    CHECK(rc::check([] {
+        // Walls through the corners at ±(1, k) and ±(k, -1), whose sides no grid of doubles follows.
+        const double k = *rc::gen::inRange(1, 9) * 0.1;
+        const graze::vec<2, double> corners[] = {{{1, k}}, {{-k, 1}}, {{-1, -k}}, {{k, -1}}};
+        planes box_of_planes;
+        for (int i = 0; i < 4; ++i) {
+            const auto &p = corners[i], &q = corners[(i + 1) % 4];
+            box_of_planes.push_back(graze::plane<2>{p, {{p[1] - q[1], q[0] - p[0]}}});
+        }
+        const auto& aim = corners[*rc::gen::inRange(0, 4)];
+        const double speed = *rc::gen::inRange(1, 99) * 0.01;
+        const balls point = {{{{0, 0}}, speed * aim, 0, 1}};
+        const auto finished = run_exactly<2>({point, box_of_planes, {}}, {.events = 40});
+        const auto& f = finished.flights[0].state;
+        RC_ASSERT(finished.outcome.why == graze::ending::events);
+        RC_ASSERT(graze::squared_norm(f.position) < 1.01 * (1 + k * k));
+    }));
 }

@@ -66,7 +66,7 @@ class moving_scene {
     [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return movers_[a]; }
     [[nodiscard]] int name(body a) const noexcept { return ball_names_[a]; }
 
-    // By the scene's own indices, the smaller one of two balls first.
+    // By the scene's own indices; of two balls the one first that comes first by its numbers.
     [[nodiscard]] meeting named(body a, body b) const noexcept {
         if (b < balls()) {
             return {partner::ball, name(a), name(b)};
@@ -84,7 +84,8 @@ class moving_scene {
     // What meets an immovable ball changes nothing for that ball.
     [[nodiscard]] bool have_just_met(body a, body b) const noexcept {
         const auto turned = [&](body x, body y) { return !movers_[x].immovable && movers_[x].last != y; };
-        return !turned(a, b) && !(b < balls() && turned(b, a)) && (movers_[a].last == b || movers_[b].last == a);
+        return b < balls() ? !turned(a, b) && !turned(b, a) && (movers_[a].last == b || movers_[b].last == a)
+                           : movers_[a].last == b;
     }
 
     // When a and b meet, a < b; empty if they don't.
@@ -128,16 +129,20 @@ class moving_scene {
   private:
     void change(body a, body b, const time& when) {
         mover<state>& x = movers_[a];
+        const std::optional<state> before_a = before_standing(a);
         if (b < balls()) {
+            const std::optional<state> before_b = before_standing(b);
             mechanics_.bounce(x.state, movers_[b].state, when);
             movers_[b].last = a;
             movers_[b].count += movers_[b].immovable ? 0 : 1;
+            keep_due(b, before_b);
             tidy(b);
         } else {
             with_standing(b, [&](const auto& s) { bounce_standing(a, b, s, when); });
         }
         x.last = b;
         x.count += x.immovable ? 0 : 1;
+        keep_due(a, before_a, b);
         tidy(a, b);
     }
 
@@ -175,6 +180,29 @@ class moving_scene {
         mechanics_.bounce(x, s, when);
         if (from != 0) {
             kept_[a].keep(b, from);
+        }
+    }
+
+    // The state before a bounce of a point that something standing may meet.
+    [[nodiscard]] std::optional<state> before_standing(body a) const {
+        return kept_.empty() || !movers_[a].point || movers_[a].immovable ? std::nullopt
+                                                                          : std::optional<state>(movers_[a].state);
+    }
+    // Keeps the sides on which a point was of what it was yet to meet and where it now is, or beyond: it has come to a
+    // corner, or as near to one as rounding goes.
+    void keep_due(body a, const std::optional<state>& before, body left = no_body) {
+        for (body b = before ? balls() : bodies(); b < bodies(); ++b) {
+            if (b == left || kept_side(a, b) != 0) {
+                continue;
+            }
+            with_standing(b, [&](const auto& s) {
+                if (mechanics_.meet(*before, s)) {
+                    const int side = -mechanics_.heading(*before, s);
+                    if (is_beyond(a, s, side)) {
+                        kept_[a].keep(b, side);
+                    }
+                }
+            });
         }
     }
 

@@ -40,10 +40,13 @@ class run {
     }
 
     // Goes on as far as the limits say. The observer is called with a run_event after each event; if it returns
-    // something, false stops the run. Throws std::domain_error that names two balls of infinite mass that meet, and
-    // whatever M throws.
+    // something, false stops the run. Throws std::domain_error that names two balls of infinite mass that meet, or that
+    // says that the time limit is NaN, and whatever M throws.
     template <class Observer = ignore_event>
     outcome advance(const run_limits<number>& limits, Observer&& observer = {}) {
+        if (limits.time && graze::sign(*limits.time) == 0 && !detail::is_finite_number(*limits.time)) {
+            throw std::domain_error("the time limit is not a number");
+        }
         outcome done{ending::events};
         const std::uint64_t patience =
             limits.cascade != 0 ? limits.cascade : 1000 + 100 * std::uint64_t{scene().balls()};
