@@ -1,5 +1,6 @@
 # Certified runs and runs in number types.
-graze_add_test(compare_certified_test SOURCES certified_test.cpp LIBRARIES compare_certified)
+find_package(rapidcheck REQUIRED)
+graze_add_test(compare_certified_test SOURCES certified_test.cpp LIBRARIES compare_certified rapidcheck)
 graze_add_test(compare_certified_run_test SOURCES certified_run_test.cpp LIBRARIES compare_certified)
 target_compile_definitions(compare_certified_run_test PRIVATE "GRAZE_SCENES=\"${PROJECT_SOURCE_DIR}/examples/scenes\"")
 target_compile_options(compare_certified_run_test PRIVATE -O0) # what takes the time is compiled elsewhere
