@@ -56,6 +56,11 @@ TEST_CASE("bad input is named") {
     CHECK(message_of({two, flat, {}}) == "plane 1: normal is zero");
     const walls point = {{{{0, 0}}, {{{{0, 0}}}}}};
     CHECK(message_of({two, {}, point}) == "wall 0: edge is zero");
+    const std::vector<graze::ball<3>> one = {{{{0, 0, 5}}, {{0, 0, -1}}, 1, 1}};
+    const std::vector<graze::wall<3>> flags = {{{{0, 0, 0}}, {{{{1, 0, 0}}, {{0, 1, 0}}}}},
+                                               {{{0, 0, 0}}, {{{{1, 2, 0}}, {{2, 4, 0}}}}}};
+    CHECK_THROWS_WITH_AS((void)run_exactly<3>({one, {}, flags}, {}), "ball 0 and wall 1: wall: edges are parallel",
+                         std::domain_error);
 }
 
 TEST_CASE("two infinite masses that meet are named, and nothing is lost") {

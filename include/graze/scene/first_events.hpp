@@ -7,6 +7,7 @@
 #include <graze/scene/meeting.hpp>
 
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace graze {
@@ -53,7 +54,7 @@ class earliest_meetings {
 
 // Looks at every pair, balls with balls, planes and walls, by time_of_impact: exact for every finite input. Two balls
 // that overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17: radius is
-// negative") as check does, and for parallel edges.
+// negative") as check does, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
 template <int N, std::floating_point T>
 requires is_binary_input<T>
 [[nodiscard]] first_meetings<N, T> first_events(const scene<N, T>& s, simultaneous wanted = simultaneous::all) {
@@ -72,7 +73,12 @@ requires is_binary_input<T>
             earliest.meet(time_of_impact(a, at(s.planes, p)), {partner::plane, balls[i], p});
         }
         for (const int w : walls) {
-            earliest.meet(time_of_impact(a, at(s.walls, w)), {partner::wall, balls[i], w});
+            const meeting who{partner::wall, balls[i], w};
+            try {
+                earliest.meet(time_of_impact(a, at(s.walls, w)), who);
+            } catch (const std::domain_error& e) { // parallel edges
+                throw std::domain_error(to_string(who) + ": " + e.what());
+            }
         }
     }
     return earliest.take();

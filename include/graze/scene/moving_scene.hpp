@@ -98,6 +98,8 @@ class moving_scene {
         } catch (undecided& e) {
             e.between(named(a, b));
             throw;
+        } catch (const std::domain_error& e) { // parallel edges, or what restate was given
+            throw std::domain_error(to_string(named(a, b)) + ": " + e.what());
         }
     }
 

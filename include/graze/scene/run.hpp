@@ -30,7 +30,7 @@ class run {
     using state = typename M::state;
     using time = typename M::time;
 
-    // Copies the scene. Throws as check does.
+    // Copies the scene. Throws as check and first_events do.
     explicit run(const scene<dimension, number>& s, M m = M(), cells use = cells::where_useful)
         : forecast_(detail::moving_scene<M>(s, std::move(m)), use == cells::where_useful), place_(s.balls.size()) {
         for (body a = 0; a < scene().balls(); ++a) {
@@ -90,7 +90,7 @@ class run {
     [[nodiscard]] const M& rules() const noexcept { return scene().rules(); }
 
     // Gives every ball another state, f(index, state), as when velocities are turned round, and predicts anew. None of
-    // them may be earlier than the last event. What f throws leaves the run as it was.
+    // them may be earlier than the last event; radii and masses must stay. What f throws leaves the run as it was.
     template <class F>
     void restate(F f) {
         std::vector<state> states;
