@@ -6,6 +6,7 @@ in a copy of its header, and the proofs are compiled against that copy until one
 notices must be listed in equivalent.txt, with the reason for which it changes nothing.
 
     mutate.py [--compiler g++] [--jobs 1] [--only plane_crossing] [--sample 8 --seed 1] [--list] [--verbose] [--near]
+              [--again LOG]
 """
 import argparse
 import concurrent.futures
@@ -20,8 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FORMULAS = ROOT / "include/graze/formula"
 # The proofs, the quick ones first; and those that are about a header, which are tried before the others.
 PROOFS = ["formula/encounter", "formula/root_order", "formula/roots", "formula/contact", "formula/plane_crossing",
-          "formula/discriminant", "formula/flight_motion", "formula/impulse", "formula/errata", "formula/wall_features",
-          "analysis/bit_width", "predicate/scenes", "formula/wall_encounter", "predicate/wall_scenes",
+          "formula/discriminant", "formula/flight_motion", "formula/solve_wall", "formula/impulse", "formula/errata",
+          "formula/wall_features", "analysis/bit_width", "predicate/scenes", "formula/wall_encounter", "predicate/wall_scenes",
           "predicate/decisions"]
 ABOUT = {
     "relative_motion": ["formula/discriminant"], "quadratic": ["formula/discriminant"],
@@ -31,8 +32,8 @@ ABOUT = {
     "wall_encounter": ["formula/wall_encounter", "formula/wall_features", "predicate/wall_scenes"],
     "encounter": ["formula/encounter"], "solution": ["predicate/scenes", "formula/errata"],
     "solve_balls": ["predicate/scenes"], "solve_plane": ["predicate/scenes"],
-    "solve_wall": ["predicate/scenes", "predicate/wall_scenes"], "exact_in": ["analysis/bit_width"],
-    "flight_motion": ["formula/flight_motion"],
+    "solve_wall": ["formula/solve_wall", "predicate/scenes", "predicate/wall_scenes"],
+    "exact_in": ["analysis/bit_width"], "flight_motion": ["formula/flight_motion"],
 }
 SWAPS = {"+": "-", "-": "+", "*": "+", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "==",
          "&&": "||", "||": "&&", ">>": "<<", "<<": ">>", "&": "|"}
@@ -219,15 +220,20 @@ def main():
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--verbose", action="store_true", help="say which proof caught each")
     parser.add_argument("--near", action="store_true", help="try only the proofs that are about the header")
+    parser.add_argument("--again", type=pathlib.Path, help="try only what this output of an earlier run did not notice")
     options = parser.parse_args()
 
     known = equivalents()
     proofs = [p for p in PROOFS if (ROOT / "proofs" / f"{p}.cpp").exists()]
     everything = list(all_slips(options.only))
     chosen = everything
+    if options.again:
+        unnoticed = {tuple(line.split(" | ")[:3]) for line in options.again.read_text().split("\n")
+                     if line.endswith(" | not noticed")}
+        chosen = [s for s in everything if s.key in unnoticed]
     if options.sample:
         random.seed(options.seed)
-        chosen = random.sample([s for s in everything if s.key not in known], options.sample)
+        chosen = random.sample([s for s in chosen if s.key not in known], options.sample)
     if options.list:
         for slip in chosen:
             print(f"{slip.header.name}:{slip.number}: {slip.key[1]} | {slip.key[2]}")

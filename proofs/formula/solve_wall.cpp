@@ -1,0 +1,90 @@
+// graze::solve for a ball and a wall where the number type has a square root of its own, and may round: the sign of
+// p ± q√d, and what a touch in passing and a point leave of normal and velocity. (In exact types: predicate/scenes.cpp
+// and wall_scenes.cpp.)
+#include <graze/formula/solve.hpp>
+#include <graze/number/floating.hpp>
+
+#include "../rational.hpp"
+
+namespace {
+
+using namespace graze;
+using proof::rational;
+using surd = sqrt_extension<rational>;
+
+// The sign of p + flip q√d for whole p and q and these d, in doubles. Of 2 and 5 the root is irrational: squares
+// decide. Less than 0 can d be only by a rounding, where its sign has been found to be >= 0 by another formula: it is
+// 0.
+struct radicand_and_root {
+    int d;
+    int root; // where it is whole, otherwise -1
+};
+constexpr int sign_by_squares(int p, int q, const radicand_and_root& r) {
+    if (r.root >= 0) {
+        return sign(static_cast<double>(p + q * r.root));
+    }
+    const int p2 = p * p;
+    const int q2 = q * q * r.d; // equal to p2 only where both are 0
+    return p2 > q2 ? (p > 0 ? 1 : -1) : p2 == q2 ? 0 : (q > 0 ? 1 : -1);
+}
+constexpr bool roots_have_signs() {
+    const ball<2> b{{0, 0}, {0, 0}, 0};
+    const wall<2> w{{0, 0}, {{{{0, 1}}}}};
+    const auto m = relative_motion_of(b, w);
+    const detail::direct_signs<variant::lagrange, double, std::remove_cvref_t<decltype(m)>> signs(m);
+    for (const auto& r : {radicand_and_root{-1, 0}, {0, 0}, {1, 1}, {4, 2}, {9, 3}, {2, -1}, {5, -1}}) {
+        for (int p = -4; p <= 4; ++p) {
+            for (int q = -2; q <= 2; ++q) {
+                for (const int flip : {-1, 1}) {
+                    const auto always = [](double value) { return [value](const auto&) { return value; }; };
+                    const int found = signs.root({}, always(p), always(q), always(r.d), flip);
+                    if (found != sign_by_squares(p, flip * q, r)) {
+                        return false;
+                    }
+                }
+            }
+        }
+    }
+    return true;
+}
+static_assert(roots_have_signs());
+
+// Where the answer rests on it: in doubles, and by either root of d.
+constexpr wall<3> square{{5, -3, -3}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};
+constexpr bool meets(double x, double y, double z, double v, double w, feature where, int index) {
+    const auto s = solve(ball<3>{{x, y, z}, {x < 5 ? 1.0 : -1.0, v, w}, 1}, square);
+    return s.what == encounter::hit && s.where == where && s.index == index;
+}
+constexpr bool meets_from_both_sides(double y, double z, double v, double w, feature where, int index) {
+    return meets(0, y, z, v, w, where, index) && meets(10, y, z, v, w, where, index);
+}
+// At 45° a ball of radius 1 touches the plane where its centre is at x = 4 and has gone 4 along the face, which ends
+// at ±3: beyond that it meets an edge, beyond both ends a corner.
+static_assert(meets_from_both_sides(-1.5, 0, 1, 0, feature::face, 0) &&
+              meets_from_both_sides(-0.8, 0, 1, 0, feature::edge, 1) &&
+              meets_from_both_sides(1.5, 0, -1, 0, feature::face, 0) &&
+              meets_from_both_sides(0.8, 0, -1, 0, feature::edge, 0));
+static_assert(meets_from_both_sides(0, -1.5, 0, 1, feature::face, 0) &&
+              meets_from_both_sides(0, -0.8, 0, 1, feature::edge, 3) &&
+              meets_from_both_sides(0, 0.8, 0, -1, feature::edge, 2) &&
+              meets_from_both_sides(-0.9, -0.9, 1, 1, feature::corner, 3) &&
+              meets_from_both_sides(0.9, 0.9, -1, -1, feature::corner, 0));
+
+// A touch in passing changes no velocity, and so none by the rounding of the normal (3, -4)/5.
+constexpr ball<2> passing{{-1, -7}, {4, 3}, 5};
+constexpr auto touch = solve(passing, wall<2>{{0, 0}, {{{{0, 6}}}}});
+static_assert(touch.what == encounter::graze && touch.where == feature::corner && touch.time == 1);
+static_assert(touch.velocity == passing.velocity && reflected(passing.velocity, touch.normal) != passing.velocity);
+
+// A point that flies within the plane touches the border: there is no normal, and the velocity stays.
+constexpr auto point_at_end =
+    solve(ball<2, rational>{{{0, 5}}, {{0, -1}}, 0}, wall<2, rational>{{{0, -2}}, {{{{0, 4}}}}});
+static_assert(point_at_end.what == encounter::graze && point_at_end.where == feature::corner &&
+              point_at_end.time == surd(3) && point_at_end.point == point_at_end.position);
+static_assert(point_at_end.normal == detail::zero_vector<2, surd>() && point_at_end.velocity[1] == surd(-1));
+constexpr auto point_at_edge = solve(ball<3, rational>{{{0, 5, 0}}, {{0, -1, 0}}, 0},
+                                     wall<3, rational>{{{0, -2, -3}}, {{{{0, 4, 0}}, {{0, 0, 6}}}}});
+static_assert(point_at_edge.what == encounter::graze && point_at_edge.where == feature::edge &&
+              point_at_edge.index == 1 && point_at_edge.normal == detail::zero_vector<3, surd>());
+
+} // namespace
