@@ -139,4 +139,20 @@ constexpr ball<3> point{{0, 4.5, 0.5}, {1, 0, 0}, 0};
 static_assert(relative_motion_of(point, upright).n == relative_motion_of(point, tilted).n);
 static_assert(solve(point, upright).what == encounter::hit && solve(point, tilted).what == encounter::miss);
 
+// Nor are two doubles' edges at right angles: (2, 3, 6)/7 and (3, -6, 2)/7 are, and when rounded they are not. So a
+// wall is a parallelogram: of this one the first point misses what a rectangle around it has, the second meets it.
+template <int N>
+constexpr bool at_right_angles(const vec<N, double>& x, const vec<N, double>& y) { // of multiples of 2^-53 below 2^9
+    const auto exact = [](const vec<N, double>& v) {
+        return make_vec<N>(
+            [&](int i) { return integer<63>::from_shifted(static_cast<std::int64_t>(v[i] * 0x1p53), 0); });
+    };
+    return sign(dot(exact(x), exact(y))) == 0;
+}
+static_assert(at_right_angles<3>({{0.25, 0.375, 0.75}}, {{0.375, -0.75, 0.25}}));
+static_assert(!at_right_angles<3>({{2. / 7, 3. / 7, 6. / 7}}, {{3. / 7, -6. / 7, 2. / 7}}));
+constexpr wall<3> slanted{{5, 0, 0}, {{{{0, 6, 0}}, {{0, 3, 6}}}}};
+constexpr encounter at_slanted(double y, double z) { return solve(ball<3>{{0, y, z}, {1, 0, 0}, 0}, slanted).what; }
+static_assert(at_slanted(1, 5) == encounter::miss && at_slanted(8, 5) == encounter::hit);
+
 } // namespace
