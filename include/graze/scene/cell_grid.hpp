@@ -49,8 +49,8 @@ class cell_grid {
                 }
                 count += classes[i] >= used[level] ? 1 : 0;
             }
-            levels_.emplace_back(balls, radius,
-                                 with_cells && balls.size() >= fewest ? static_cast<double>(count) : 1.0);
+            const double wanted = with_cells && balls.size() >= fewest ? static_cast<double>(count) : 1.0;
+            levels_.emplace_back(balls, radius, wanted, level > 0);
         }
         for (body a = 0; a < balls.size(); ++a) {
             bool resolved = true;

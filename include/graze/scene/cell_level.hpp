@@ -26,8 +26,8 @@ class cell_level {
   public:
     using place = std::array<std::int32_t, N>;
 
-    // Cells for balls of which the largest owner has this radius; at most `wanted` of them.
-    cell_level(std::span<const flight<N, double>> balls, double largest, double wanted) {
+    // Cells for balls of which the largest owner has this radius; at most `wanted` of them, with or without guests.
+    cell_level(std::span<const flight<N, double>> balls, double largest, double wanted, bool with_guests) {
         std::array<std::vector<double>, N> coordinates;
         std::array<double, N> extent{};
         double widest = 0;
@@ -65,7 +65,7 @@ class cell_level {
             cells *= faces_[i].size() + 1;
         }
         owners_.assign(cells, no_body);
-        guests_.assign(cells, no_body);
+        guests_.assign(with_guests ? cells : 0, no_body);
     }
 
     // Puts a ball that is nowhere where it is at a time.
@@ -173,7 +173,8 @@ class cell_level {
         head = a;
     }
     template <class F>
-    void within(const place& low, const place& high, bool guests_too, F&& f) const {
+    void within(const place& low, const place& high, bool owner, F&& f) const {
+        const bool guests_too = owner && !guests_.empty();
         place p = low;
         while (true) {
             for (std::size_t row = cell_of(p), x = row; x <= row + static_cast<std::size_t>(high[0] - low[0]); ++x) {

@@ -23,26 +23,33 @@ struct due {
 }
 
 // Sorts what may be the earliest by bodies, which is the canonical order, and drops what was foreseen twice.
-inline void put_in_order(std::vector<foreseen>& nearest) {
-    std::sort(nearest.begin(), nearest.end(),
-              [](const foreseen& x, const foreseen& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
-    nearest.erase(std::unique(nearest.begin(), nearest.end(), is_of_same_bodies), nearest.end());
+template <class Time>
+void put_in_order(std::vector<due<Time>>& nearest) {
+    if (nearest.size() < 2) {
+        return;
+    }
+    using event = due<Time>;
+    std::sort(nearest.begin(), nearest.end(), [](const event& x, const event& y) {
+        return std::pair(x.what.a, x.what.b) < std::pair(y.what.a, y.what.b);
+    });
+    const auto is_same = [](const event& x, const event& y) { return is_of_same_bodies(x.what, y.what); };
+    nearest.erase(std::unique(nearest.begin(), nearest.end(), is_same), nearest.end());
 }
 
-// Those of them that are the earliest, in the same order. Allocates only where there are more than ever before.
+// Those of them that are the earliest, in the same order; their times are moved. Allocates only where there are more
+// than ever before.
 template <mechanics M>
-void select_earliest(const moving_scene<M>& scene, const std::vector<foreseen>& nearest,
+void select_earliest(const moving_scene<M>& scene, std::vector<due<typename M::time>>& nearest,
                      std::vector<due<typename M::time>>& earliest) {
     earliest.clear();
-    for (const foreseen& f : nearest) {
-        due<typename M::time> d{f, *scene.meet(f.a, f.b)};
+    for (auto& d : nearest) {
         int order = 0;
         if (!earliest.empty()) {
             const foreseen& first = earliest.front().what;
             try {
                 order = scene.rules().order(d.when, earliest.front().when);
             } catch (undecided& e) {
-                e.between(scene.named(f.a, f.b), scene.named(first.a, first.b));
+                e.between(scene.named(d.what.a, d.what.b), scene.named(first.a, first.b));
                 throw;
             }
         }

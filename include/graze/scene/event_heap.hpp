@@ -2,8 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace graze::detail {
@@ -12,11 +15,10 @@ namespace graze::detail {
 using body = std::uint32_t;
 inline constexpr body no_body = 0xffffffffU;
 
-// Body a, a ball, meets body b not before lower and not after upper, unless one of the two has had another event since
-// (counts). Or a reaches the border of its cell on a level of the grid: then b is crossing_of(level).
+// Body a, a ball, meets body b not before lower, unless one of the two has had another event since (counts). Or a
+// reaches the border of its cell on a level of the grid: then b is crossing_of(level).
 struct foreseen {
     double lower;
-    double upper;
     body a;
     body b;
     std::uint32_t count_a;
@@ -29,13 +31,16 @@ inline constexpr body first_crossing = 0xffffff00U;
 [[nodiscard]] constexpr int level_of(const foreseen& f) noexcept { return static_cast<int>(f.b - first_crossing); }
 
 // The standard heap, by lower bounds alone: doubles have a total order, which exact times that have become meaningless
-// would not. What is no longer true is left where it is until it comes to the top.
+// would not. Most of what is foreseen never happens, because something else comes first: so only what is near is in
+// the heap, which a cache holds. The rest waits behind it, in no order, until the heap is empty; by then most of it is
+// no longer true, and is dropped.
 class event_heap {
   public:
-    [[nodiscard]] bool empty() const noexcept { return entries_.empty(); }
     [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
-    [[nodiscard]] const foreseen& top() const noexcept { return entries_.front(); }
-    void clear() noexcept { entries_.clear(); }
+    void clear() noexcept {
+        entries_.clear();
+        all_wait();
+    }
 
     // After it, this many pushes neither allocate nor throw.
     void make_room(std::size_t count) {
@@ -45,24 +50,67 @@ class event_heap {
     }
     void push(const foreseen& f) {
         entries_.push_back(f);
-        std::push_heap(entries_.begin(), entries_.end(), is_later{});
+        if (f.lower <= horizon_) {
+            std::swap(entries_[near_], entries_.back());
+            ++near_;
+            std::push_heap(entries_.begin(), heap_end(), is_later{});
+        }
     }
+    // Whether there is a top. What waits may have to come to the heap first; what is_stale is dropped by the way.
+    template <class F>
+    [[nodiscard]] bool has_top(F is_stale) noexcept {
+        if (near_ == 0 && !entries_.empty()) {
+            bring_near(is_stale);
+        }
+        return near_ > 0;
+    }
+    [[nodiscard]] const foreseen& top() const noexcept { return entries_.front(); }
     void pop() noexcept {
-        std::pop_heap(entries_.begin(), entries_.end(), is_later{});
+        std::pop_heap(entries_.begin(), heap_end(), is_later{});
+        --near_;
+        entries_[near_] = entries_.back();
         entries_.pop_back();
     }
     // Drops everything of which is_stale is true.
     template <class F>
     void purge(F is_stale) noexcept {
         entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_stale), entries_.end());
-        std::make_heap(entries_.begin(), entries_.end(), is_later{});
+        all_wait();
     }
 
   private:
     struct is_later {
         [[nodiscard]] bool operator()(const foreseen& x, const foreseen& y) const noexcept { return x.lower > y.lower; }
     };
-    std::vector<foreseen> entries_;
+    [[nodiscard]] std::vector<foreseen>::iterator heap_end() noexcept {
+        return entries_.begin() + static_cast<std::ptrdiff_t>(near_);
+    }
+
+    void all_wait() noexcept {
+        near_ = 0;
+        horizon_ = std::numeric_limits<double>::lowest();
+    }
+    // Fills an empty heap with about a sixteenth of what waits, by a sample of it; where that is little, with all.
+    template <class F>
+    void bring_near(F is_stale) noexcept {
+        purge(is_stale);
+        horizon_ = std::numeric_limits<double>::max();
+        if (std::array<double, 256> sample; entries_.size() > 4 * sample.size()) {
+            for (std::size_t i = 0; i < sample.size(); ++i) {
+                sample[i] = entries_[entries_.size() / sample.size() * i].lower;
+            }
+            const auto quantile = sample.begin() + sample.size() / 16;
+            std::nth_element(sample.begin(), quantile, sample.end());
+            horizon_ = *quantile;
+        }
+        const auto is_near = [&](const foreseen& f) { return f.lower <= horizon_; };
+        near_ = static_cast<std::size_t>(std::partition(entries_.begin(), entries_.end(), is_near) - entries_.begin());
+        std::make_heap(entries_.begin(), heap_end(), is_later{});
+    }
+
+    std::vector<foreseen> entries_;                          // the heap, then what waits
+    std::size_t near_ = 0;                                   // so many are in the heap
+    double horizon_ = std::numeric_limits<double>::lowest(); // what waits is after it
 };
 
 } // namespace graze::detail

@@ -67,16 +67,16 @@ class forecast {
         nearest_.clear();
         try {
             double limit = std::numeric_limits<double>::max();
-            while (!heap_.empty() && heap_.top().lower <= limit) {
+            while (heap_.has_top([&](const foreseen& f) { return is_stale(f); }) && heap_.top().lower <= limit) {
                 const foreseen f = heap_.top();
                 if (is_stale(f)) {
                     heap_.pop();
                 } else if (is_crossing(f)) {
                     cross();
                 } else {
-                    nearest_.push_back(f);
+                    nearest_.push_back({f, *scene_.meet(f.a, f.b)});
                     heap_.pop();
-                    limit = std::min(limit, f.upper);
+                    limit = std::min(limit, scene_.rules().bounds(nearest_.back().when).upper);
                 }
             }
             put_in_order(nearest_);
@@ -105,9 +105,24 @@ class forecast {
         if (const std::optional<time> when = scene_.meet(a, b)) {
             const time_bounds bounds = scene_.rules().bounds(*when);
             if (bounds.lower < std::numeric_limits<double>::max()) { // else never, or not a number
-                const std::uint32_t count_b = b < scene_.balls() ? scene_[b].count : 0;
-                found_.push_back({bounds.lower, bounds.upper, a, b, scene_[a].count, count_b});
+                const std::uint32_t count_b = b < scene_.balls() ? scene_.count(b) : 0;
+                found_.push_back({bounds.lower, a, b, scene_.count(a), count_b});
             }
+        }
+    }
+    // Offers a to those that `those` passes on, but for what comes before `from`: first all of them are fetched from
+    // memory, which is far away when there are many balls, and then one after the other is looked at.
+    template <class F>
+    void offer_each(body a, body from, F those) {
+        neighbours_.clear();
+        those([&](body b) {
+            if (b >= from) {
+                scene_.fetch(b);
+                neighbours_.push_back(b);
+            }
+        });
+        for (const body b : neighbours_) {
+            offer(a, b);
         }
     }
     void offer_standing(body a) {
@@ -117,7 +132,7 @@ class forecast {
     }
     void expect(int level, body a, const face_crossing& c) {
         if (c.step != 0) {
-            found_.push_back({c.when, c.when, a, crossing_of(level), scene_[a].count, 0});
+            found_.push_back({c.when, a, crossing_of(level), scene_.count(a), 0});
         }
     }
     // Everything that ball a will do with others, those before `from` left out. A ball that the cells lose is offered
@@ -136,11 +151,7 @@ class forecast {
             lost_.push_back(a);
             offer_everyone(a);
         } else {
-            cells_.around(a, [&](body b) {
-                if (b >= from) {
-                    offer(a, b);
-                }
-            });
+            offer_each(a, from, [&](auto take) { cells_.around(a, take); });
         }
         offer_standing(a);
     }
@@ -165,7 +176,7 @@ class forecast {
         const auto next = cells_.next_crossing(level, f.a, flight_a, crossed);
         forget();
         if (cells_.resolves(level, next, flight_a)) {
-            cells_.ahead(level, f.a, crossed, [&](body b) { offer(f.a, b); });
+            offer_each(f.a, 0, [&](auto take) { cells_.ahead(level, f.a, crossed, take); });
             expect(level, f.a, next);
         } else {
             lost_.push_back(f.a);
@@ -180,11 +191,11 @@ class forecast {
     // What is not among the events goes back, for which there is room: it came from there.
     void return_nearest(const std::vector<due<time>>& events) noexcept {
         auto taken = events.begin();
-        for (const foreseen& f : nearest_) {
-            if (taken != events.end() && is_of_same_bodies(taken->what, f)) {
+        for (const auto& d : nearest_) {
+            if (taken != events.end() && is_of_same_bodies(taken->what, d.what)) {
                 ++taken;
             } else {
-                heap_.push(f);
+                heap_.push(d.what);
             }
         }
     }
@@ -193,9 +204,10 @@ class forecast {
     cell_grid<dimension> cells_;
     event_heap heap_;
     bool with_cells_;
-    std::size_t worth_a_purge_ = 1024;      // so many entries of the heap
-    std::vector<foreseen> found_, nearest_; // these stand here so that an event allocates nothing
-    std::vector<body> lost_, sharers_;
+    std::size_t worth_a_purge_ = 1024; // so many entries of the heap
+    std::vector<foreseen> found_;      // this and the next stand here so that an event allocates nothing
+    std::vector<due<time>> nearest_;
+    std::vector<body> neighbours_, lost_, sharers_;
 };
 
 } // namespace graze::detail

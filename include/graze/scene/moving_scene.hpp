@@ -10,12 +10,10 @@
 
 namespace graze::detail {
 
-// A ball of a run. count: of its events; what was foreseen with another count is no longer true. An immovable ball's
-// flight never changes, nor does its count. last: whom it met last.
+// A ball of a run. last: whom it met last.
 template <class State>
 struct mover {
     State state;
-    std::uint32_t count = 0;
     body last = no_body;
     bool immovable = false;
     bool point = false;
@@ -54,6 +52,7 @@ class moving_scene {
             points = points || b.point;
             movers_.push_back(std::move(b));
         }
+        counts_.resize(movers_.size());
         kept_.resize(points && bodies() > balls() ? movers_.size() : 0);
     }
 
@@ -64,6 +63,14 @@ class moving_scene {
     }
     [[nodiscard]] mover<state>& operator[](body a) noexcept { return movers_[a]; }
     [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return movers_[a]; }
+    // Asks for a ball that will soon be looked at, without waiting for it.
+    void fetch(body a) const noexcept {
+        __builtin_prefetch(&movers_[a]);
+        __builtin_prefetch(&movers_[a].last); // at the other end
+    }
+    // Of a ball's events; what was foreseen with another count is no longer true. An immovable ball's flight never
+    // changes, nor does its count.
+    [[nodiscard]] std::uint32_t count(body a) const noexcept { return counts_[a]; }
     [[nodiscard]] int name(body a) const noexcept { return ball_names_[a]; }
 
     // By the scene's own indices; of two balls the one first that comes first by its numbers.
@@ -77,7 +84,7 @@ class moving_scene {
     }
 
     [[nodiscard]] bool is_stale(const foreseen& f) const noexcept {
-        return movers_[f.a].count != f.count_a || (f.b < balls() && movers_[f.b].count != f.count_b);
+        return counts_[f.a] != f.count_a || (f.b < balls() && counts_[f.b] != f.count_b);
     }
 
     // Whether the two have just met: neither has had another event since, and both fly straight, so that they part.
@@ -118,11 +125,15 @@ class moving_scene {
     // What bounce changes of a ball, to put it back.
     struct memory {
         mover<state> ball;
+        std::uint32_t count;
         kept_sides kept;
     };
-    [[nodiscard]] memory remember(body a) const { return {movers_[a], kept_.empty() ? kept_sides{} : kept_[a]}; }
+    [[nodiscard]] memory remember(body a) const {
+        return {movers_[a], counts_[a], kept_.empty() ? kept_sides{} : kept_[a]};
+    }
     void restore(body a, memory& m) noexcept {
         movers_[a] = std::move(m.ball);
+        counts_[a] = m.count;
         if (!kept_.empty()) {
             kept_[a] = m.kept;
         }
@@ -136,14 +147,14 @@ class moving_scene {
             const std::optional<state> before_b = before_standing(b);
             mechanics_.bounce(x.state, movers_[b].state, when);
             movers_[b].last = a;
-            movers_[b].count += movers_[b].immovable ? 0 : 1;
+            counts_[b] += movers_[b].immovable ? 0 : 1;
             keep_due(b, before_b);
             tidy(b);
         } else {
             with_standing(b, [&](const auto& s) { bounce_standing(a, b, s, when); });
         }
         x.last = b;
-        x.count += x.immovable ? 0 : 1;
+        counts_[a] += x.immovable ? 0 : 1;
         keep_due(a, before_a, b);
         tidy(a, b);
     }
@@ -221,7 +232,8 @@ class moving_scene {
 
     M mechanics_;
     std::vector<mover<state>> movers_;
-    std::vector<kept_sides> kept_; // of the points, if there are any and something that they can cross
+    std::vector<std::uint32_t> counts_; // beside one another, for they are asked of far more than flights are
+    std::vector<kept_sides> kept_;      // of the points, if there are any and something that they can cross
     std::vector<plane<dimension, number>> planes_;
     std::vector<wall<dimension, number>> walls_;
     std::vector<int> ball_names_, plane_names_, wall_names_;
