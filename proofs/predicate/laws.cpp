@@ -173,6 +173,10 @@ static_assert(three[0] < three[1] && !(three[0] == three[1]) && !(three[0] > thr
 static_assert(three[1] > three[0] && !(three[1] < three[0]));
 static_assert(three[2] < three[0] && three[2] < three[1], "transitive");
 static_assert(three[2] == three[2] && !(three[2] < three[2]));
+// Whatever the velocities: a ball that is eight times slower, with an eighth of the way.
+constexpr auto slow = *time_of_impact(ball<2>{{0, 0}, {0.125, 0}, 1}, ball<2>{{2.25, 0}, {0, 0}, 1});
+constexpr auto fast = *time_of_impact(runner, ball<2>{{4, 0}, {0, 0}, 1});
+static_assert(slow == fast && slow == three[1] && three[0] < slow && slow > three[2]);
 
 // 6. A collision has a time and nothing else has; an overlap's is 0; a graze's is -h/a.
 struct times_of_collisions {
@@ -191,17 +195,28 @@ static_assert(classify(at_plane, askew) != encounter::miss && classify(at_plane,
 // Parallel to it, and one unit in the last place from that, to either side.
 constexpr encounter along(double up) { return classify(ball<2>{{0, 3}, {1, up}, 1}, plane<2>{{0, 0}, {0, 1}}); }
 static_assert(along(0) == encounter::recede && along(ulp) == encounter::recede && along(-ulp) == encounter::hit);
+// What cuts it and approaches overlaps, from either side; what only touches it does not.
+constexpr plane<2> ground{{0, 0}, {0, 1}};
+constexpr ball<2> falling(double y, double u) { return {{0, y}, {1, u}, 1}; }
+static_assert(classify(falling(1 - ulp, -1), ground) == encounter::overlap &&
+              classify(falling(ulp - 1, 1), ground) == encounter::overlap);
+static_assert(classify(falling(1, -1), ground) == encounter::hit && classify(falling(-1, 1), ground) == encounter::hit);
+static_assert(classify(falling(0.5, 1), ground) == encounter::recede &&
+              classify(falling(-0.5, -1), ground) == encounter::recede);
+static_assert(times_of_collisions{}(falling(0.5, -1), ground) && times_of_collisions{}(falling(1, -1), ground));
 
 // 8. A wall is met no earlier than its plane, where both are met: with its face at the same time, with its end later.
 constexpr plane<2> of_segment{{5, -3}, {-6, 0}};
 static_assert(*time_of_impact(thrown(3), segment) == *time_of_impact(thrown(3), of_segment));
 static_assert(*time_of_impact(thrown(3 + 4 * ulp), segment) > *time_of_impact(thrown(3 + 4 * ulp), of_segment));
 static_assert(*time_of_impact(thrown(7), segment) > *time_of_impact(thrown(7), of_segment));
+static_assert(*time_of_impact(thrown(7), segment) == 5.0 && *time_of_impact(thrown(-7), segment) == 5.0, "either end");
 
 // 9. A larger ball is met no later.
 static_assert(*time_of_impact(passing(7 + 4 * ulp), still) < *time_of_impact(passing(7), still));
 static_assert(*time_of_impact(passing(8), still) < *time_of_impact(passing(7 + 4 * ulp), still));
 static_assert(*time_of_impact(passing(90), still) == 0.0, "inside: now");
+static_assert(*time_of_impact(passing(90), still) == *time_of_impact(passing(80), still), "and no earlier");
 
 // 10. overlap is what overlaps and does not recede.
 struct overlap_now {
@@ -216,6 +231,13 @@ static_assert(overlap_now{}(passing(90), still) && overlaps(passing(90), still))
 static_assert(overlap_now{}(still, passing(7)) && overlap_now{}(ball<2>{{1, 0}, {1, 0}, 1}, still), "parting inside");
 static_assert(!overlaps(ball<2>{{13, 0}, {-1, 0}, 7}, still), "touching is not overlapping");
 static_assert(overlaps(ball<2>{{13, 0}, {-1, 0}, 7 + 4 * ulp}, still));
+static_assert(overlap_now{}(falling(1 - ulp, -1), ground) && overlaps(falling(1 - ulp, -1), ground));
+static_assert(overlap_now{}(falling(0.5, 1), ground) && overlaps(falling(0.5, 1), ground), "parting inside");
+static_assert(overlap_now{}(falling(1, -1), ground) && !overlaps(falling(1, -1), ground));
+constexpr ball<2> at_end(double y, double u) { return {{5, y}, {0, u}, 4}; }
+static_assert(overlap_now{}(at_end(6.5, -1), segment) && overlaps(at_end(6.5, -1), segment));
+static_assert(overlap_now{}(at_end(6.5, 1), segment) && overlaps(at_end(6.5, 1), segment), "parting inside");
+static_assert(overlap_now{}(at_end(7, -1), segment) && !overlaps(at_end(7, -1), segment));
 
 // 11. Numbers stand in the same order as times.
 constexpr bool among_numbers(const impact_time<2>& t) {
