@@ -72,9 +72,13 @@ template <int N>
 void judge_values(const subject& formula, const answer& given, const truth<N>& right, verdicts& found) {
     const auto where = given.where ? static_cast<oracle::feature>(*given.where) : right.met().where();
     int index = given.index;
-    if (!given.where) {
+    if (!given.where || index == graze::precision::index_unknown) {
         const unsigned set = where == oracle::feature::edge ? right.met().edges : right.met().corners;
         index = where == oracle::feature::face ? 0 : std::countr_zero(set);
+    }
+    if (given.where && right.met().pieces.size() > 1 && !right.met().has(where, index)) {
+        found[formula.measures].wrong = true;
+        return;
     }
     std::map<quantity, std::size_t> count;
     for (const auto& value : given.values) {

@@ -42,6 +42,9 @@ struct value {
     std::vector<reading> components;
 };
 
+// Of an answer that tells the kind of a wall's feature, but not which one.
+inline constexpr int index_unknown = -1;
+
 // Put together by `and_`. what: how the pair meets; where and index: the feature of a wall.
 struct answer {
     std::optional<encounter> what;

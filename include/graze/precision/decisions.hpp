@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/contact/collide_balls.hpp>
+#include <graze/contact/collide_walls.hpp>
 #include <graze/precision/subject.hpp>
 #include <graze/predicate/classify_balls.hpp>
 #include <graze/predicate/classify_walls.hpp>
@@ -48,6 +49,30 @@ struct rounded_contact {
             .and_(quantity::normal, c->normal)
             .and_(quantity::velocity, c->velocity_a)
             .and_(quantity::velocity, c->velocity_b);
+    }
+    template <int N, class T>
+    [[nodiscard]] answer operator()(const ball<N, T>& b, const plane<N, T>& p) const {
+        return of_wall(collide(b, p));
+    }
+    template <int N, class T>
+    [[nodiscard]] answer operator()(const ball<N, T>& b, const wall<N, T>& w) const {
+        return of_wall(collide(b, w));
+    }
+
+  private:
+    template <int N, class T>
+    [[nodiscard]] static answer of_wall(const std::optional<wall_contact<N, T>>& c) {
+        if (!c) {
+            return {};
+        }
+        answer a = answered(quantity::time, c->time)
+                       .and_(quantity::position, c->position)
+                       .and_(quantity::position, c->point)
+                       .and_(quantity::normal, c->normal)
+                       .and_(quantity::velocity, c->velocity);
+        a.where = c->feature;
+        a.index = index_unknown;
+        return a;
     }
 };
 

@@ -53,6 +53,9 @@ NOT_MEASURED = {
     "q.a * numerator + q.h * denominator": "asked of exact coefficients alone",
     "graze::sign(height) * graze::sign(speed)": "a product of signs",
     "x[i] + y[i]": "no formula that solves a pair adds vectors",
+    "s * x[i]": "of the formulas flight_motion alone scales a vector, in integers",
+    "number_traits<T>::dot(x, y)": "a product that a type brings along, and double brings none",
+    "number_traits<T>::squared_norm(x)": "likewise",
 }
 HELPERS = """
 namespace graze::lost {
@@ -80,7 +83,7 @@ constexpr auto fused(const A& a, const B& b, const C& c) {
 }
 } // namespace graze::lost
 """
-STATEMENT = re.compile(r"(?:return |(?:const )?(?:auto|T) \w+ = )([^;{}]+)(?=;)")
+STATEMENT = re.compile(r"(?:return |(?:const )?(?:auto|T) \w+ = )([\w<>, ]+\{\{[^;{}]+\}\}|[^;{}]+)(?=;)")
 
 
 def split(text, operators):
@@ -88,10 +91,11 @@ def split(text, operators):
     operands, between, start, depth = [], [], 0, 0
     for i, c in enumerate(text):
         depth += (c in "([{") - (c in ")]}")
-        if depth == 0 and text[i:i + 3] in operators:
+        found = next((o for o in operators if text.startswith(o, i)), None)
+        if depth == 0 and found:
             operands.append(text[start:i])
-            between.append(text[i:i + 3])
-            start = i + 3
+            between.append(found)
+            start = i + len(found)
     return operands + [text[start:]], between
 
 
@@ -134,6 +138,18 @@ def losses_of(code):
         yield "halved", code.replace("graze::twice(", "(", 1)
 
 
+def values_of(code, column):
+    """(column, expression) of a statement's value, or of each component where it names them."""
+    before, braces, components = code.partition("{{")
+    if not braces:
+        yield column, code
+        return
+    column += len(before + braces)
+    for component in split(components.removesuffix("}}"), (", ",))[0]:
+        yield column, component
+        column += len(component) + len(", ")
+
+
 def all_losses(only):
     """(header, line, column, kind, expression, rewritten)."""
     for name in MEASURED:
@@ -143,10 +159,10 @@ def all_losses(only):
             if not line.strip() or re.match(r"\s*(//|#|template|requires|static_assert|concept)", line):
                 continue
             for match in STATEMENT.finditer(line.split(" //")[0]):
-                if match.group(1) in NOT_MEASURED:
-                    continue
-                for kind, rewritten in losses_of(match.group(1)):
-                    yield name, number, match.start(1), kind, match.group(1), rewritten
+                for column, expression in values_of(match.group(1), match.start(1)):
+                    if expression not in NOT_MEASURED:
+                        for kind, rewritten in losses_of(expression):
+                            yield name, number, column, kind, expression, rewritten
 
 
 class Regression:
