@@ -9,7 +9,7 @@ foreach(file IN LISTS files)
 endforeach()
 
 set(checked 0)
-foreach(page IN ITEMS formulas encounters decisions numbers)
+foreach(page IN ITEMS formulas encounters decisions numbers contacts flights scenes-and-runs)
     file(READ "${ROOT}/docs/reference/${page}.md" text)
     string(REPLACE ";" "," text "${text}")
     string(REGEX MATCHALL "`[a-z_:]+[`<(.]" names "${text}")
