@@ -46,15 +46,18 @@ class tracks {
     [[nodiscard]] std::vector<event> run(std::size_t count) {
         std::vector<event> told;
         while (told.size() < count) {
-            const std::vector<event> batch = first();
+            std::vector<event> batch = first();
             if (batch.empty()) {
                 break;
             }
             std::vector<bool> moved(beads_.size());
-            for (const event& e : batch) {
+            for (event& e : batch) {
                 const bool two = e.who.with == graze::partner::ball;
                 if (moved[index(e.who.a)] || (two && moved[index(e.who.b)])) {
                     continue;
+                }
+                for (const event& present : first()) { // what has come about since the batch was seen is in it too
+                    e.chosen = e.chosen || (present.who == e.who && present.chosen);
                 }
                 moved[index(e.who.a)] = true;
                 if (two) {

@@ -131,6 +131,27 @@ TEST_CASE("what overlaps and approaches is resolved at once, what parts is left 
     CHECK(finished.flights[0].state.velocity[1] == -1);
 }
 
+TEST_CASE("an event that shares a ball with one that another of the same time brings about is chosen") {
+    const balls four = {{{{-3, 0}}, {{1, 0}}, 0.5, 2},
+                        {{{0, 0}}, {{0, 0}}, 0.5, 3},
+                        {{{1, 0}}, {{0, 0}}, 0.5, 5},
+                        {{{4, 0}}, {{-1, 0}}, 0.5, 7}};
+    std::vector<std::pair<graze::meeting, bool>> told;
+    const auto finished = run_exactly<2>({four, {}, {}}, {.time = 2}, [&](const exact_event<2>& e) {
+        told.emplace_back(e.who, e.chosen);
+        return true;
+    });
+    REQUIRE(told.size() >= 3);
+    CHECK(told[0] == std::pair(graze::meeting{graze::partner::ball, 0, 1}, false)); // brings 1 and 2 about
+    CHECK(told[1] == std::pair(graze::meeting{graze::partner::ball, 2, 3}, true));
+    CHECK(told[2] == std::pair(graze::meeting{graze::partner::ball, 1, 2}, false));
+    CHECK(finished.outcome.choices == 1);
+    // A mirror between them is shared, but its flight stays: nothing is chosen.
+    balls five = four;
+    five[1].mass = five[2].mass = infinite;
+    CHECK(run_exactly<2>({five, {}, {}}, {.time = 2}).outcome.choices == 0);
+}
+
 TEST_CASE("a cascade without end is reported") {
     // Two infinite masses come together on a ball that both overlap. The left one, first by its numbers, makes its
     // speed 3/2, and each of the others adds 2.

@@ -62,29 +62,4 @@ void select_earliest(const moving_scene<M>& scene, std::vector<due<typename M::t
     }
 }
 
-// Marks the events that share a ball, other than a mirror, with another one. sharers: room to work in.
-template <mechanics M>
-void mark_choices(const moving_scene<M>& scene, std::vector<due<typename M::time>>& events,
-                  std::vector<body>& sharers) {
-    if (events.size() < 2) {
-        return;
-    }
-    sharers.clear();
-    for (const auto& d : events) {
-        for (const body a : {d.what.a, d.what.b}) {
-            if (a < scene.balls() && !scene[a].immovable) {
-                sharers.push_back(a);
-            }
-        }
-    }
-    std::sort(sharers.begin(), sharers.end());
-    const auto is_shared = [&](body a) {
-        const auto [first, last] = std::equal_range(sharers.begin(), sharers.end(), a);
-        return last - first > 1;
-    };
-    for (auto& d : events) {
-        d.chosen = is_shared(d.what.a) || is_shared(d.what.b);
-    }
-}
-
 } // namespace graze::detail

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/scene/cell_grid.hpp>
-#include <graze/scene/earliest.hpp>
+#include <graze/scene/choices.hpp>
 
 #include <limits>
 
@@ -43,6 +43,11 @@ class forecast {
         predict(a, 0);
         heap_.make_room(found_.size());
     }
+    // Marks those of the events due at the time `now`, from one on, that share a ball with what has been foreseen, if
+    // it is of just that time.
+    void mark_choices(const time& now, std::vector<due<time>>& events, std::size_t from) const {
+        due_balls_.compare(scene_, found_, now, events, from);
+    }
     void forget() noexcept {
         found_.clear();
         lost_.clear();
@@ -81,7 +86,7 @@ class forecast {
             }
             put_in_order(nearest_);
             select_earliest(scene_, nearest_, events);
-            mark_choices(scene_, events, sharers_);
+            due_balls_.note(scene_, events);
         } catch (...) {
             events.clear();
             return_nearest(events);
@@ -207,7 +212,8 @@ class forecast {
     std::size_t worth_a_purge_ = 1024; // so many entries of the heap
     std::vector<foreseen> found_;      // this and the next stand here so that an event allocates nothing
     std::vector<due<time>> nearest_;
-    std::vector<body> neighbours_, lost_, sharers_;
+    std::vector<body> neighbours_, lost_;
+    due_balls due_balls_;
 };
 
 } // namespace graze::detail

@@ -44,9 +44,8 @@ enum class ending { time, events, exhausted, stopped, cascade };
 }
 
 // events: done in this call. choices: how many of them shared a ball with another event of exactly the same time, so
-// that an order had to be chosen; it depends on the scene's numbers alone. Those that were foreseen when the first of
-// that time was taken are compared; one that another of that time brings about is not compared with what was due before
-// it.
+// that an order had to be chosen; it depends on the scene's numbers alone. The other one was due as well when the first
+// of that time was taken, or has been brought about since by one that was.
 struct outcome {
     ending why;
     std::uint64_t events = 0;

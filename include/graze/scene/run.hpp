@@ -150,6 +150,7 @@ class run {
             if (two && !changing[b].immovable) {
                 forecast_.foresee(b);
             }
+            forecast_.mark_choices(d.when, due_, next_ + 1);
         } catch (...) {
             changing.restore(a, before_a);
             if (two) {

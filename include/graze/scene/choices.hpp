@@ -1,0 +1,78 @@
+// Between which events of one time a run has to choose.
+#pragma once
+
+#include <graze/scene/earliest.hpp>
+
+namespace graze::detail {
+
+// The balls, but for mirrors, of the events that are due at one time.
+class due_balls {
+  public:
+    // Notes whose they are, and marks the events that share a ball with another one.
+    template <mechanics M>
+    void note(const moving_scene<M>& scene, std::vector<due<typename M::time>>& events) {
+        entries_.clear();
+        if (events.size() < 2) {
+            return;
+        }
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            for (const body a : {events[i].what.a, events[i].what.b}) {
+                if (a < scene.balls() && !scene[a].immovable) {
+                    entries_.push_back({a, i});
+                }
+            }
+        }
+        std::sort(entries_.begin(), entries_.end());
+        for (std::size_t i = 1; i < entries_.size(); ++i) {
+            if (entries_[i - 1].first == entries_[i].first) {
+                events[entries_[i - 1].second].chosen = events[entries_[i].second].chosen = true;
+            }
+        }
+    }
+
+    // Marks those events, from one on, that share a ball with what an event at `now` has brought about, if that is of
+    // just the same time.
+    template <mechanics M>
+    void compare(const moving_scene<M>& scene, const std::vector<foreseen>& found, const typename M::time& now,
+                 std::vector<due<typename M::time>>& events, std::size_t from) const {
+        if (from >= events.size()) {
+            return;
+        }
+        const double latest = scene.rules().bounds(now).upper;
+        for (const foreseen& f : found) {
+            if (!is_crossing(f) && f.lower <= latest && (is_due(f.a, from) || is_due(f.b, from)) &&
+                is_at(scene, f, now)) {
+                mark(f.a, from, events);
+                mark(f.b, from, events);
+            }
+        }
+    }
+
+  private:
+    using entry = std::pair<body, std::size_t>; // a ball, an event
+
+    [[nodiscard]] bool is_due(body a, std::size_t from) const noexcept {
+        const auto e = std::lower_bound(entries_.begin(), entries_.end(), entry(a, from));
+        return e != entries_.end() && e->first == a;
+    }
+    template <class Time>
+    void mark(body a, std::size_t from, std::vector<due<Time>>& events) const noexcept {
+        const auto first = std::lower_bound(entries_.begin(), entries_.end(), entry(a, from));
+        for (auto e = first; e != entries_.end() && e->first == a; ++e) {
+            events[e->second].chosen = true;
+        }
+    }
+    template <mechanics M>
+    [[nodiscard]] static bool is_at(const moving_scene<M>& scene, const foreseen& f, const typename M::time& now) {
+        try {
+            return scene.rules().order(*scene.meet(f.a, f.b), now) == 0;
+        } catch (undecided& e) {
+            e.between(scene.named(f.a, f.b));
+            throw;
+        }
+    }
+
+    std::vector<entry> entries_; // sorted
+};
+
+} // namespace graze::detail
