@@ -87,4 +87,54 @@ constexpr auto point_at_edge = solve(ball<3, rational>{{{0, 5, 0}}, {{0, -1, 0}}
 static_assert(point_at_edge.what == encounter::graze && point_at_edge.where == feature::edge &&
               point_at_edge.index == 1 && point_at_edge.normal == detail::zero_vector<3, surd>());
 
+// What slides over the face, or along an edge, at exactly the distance r is at that distance for a while. It touches
+// the wall where it comes, not where it leaves; into a corner it comes by both edges.
+constexpr wall<3, rational> flat{{{0, -2, -3}}, {{{{0, 4, 0}}, {{0, 0, 6}}}}};
+constexpr bool grazes(const ball<3, rational>& b, int time, feature where, int index) {
+    const auto s = solve(b, flat);
+    return s.what == encounter::graze && s.time == surd(time) && s.where == where && s.index == index;
+}
+constexpr bool slides_from(const vec<3, rational>& x, const vec<3, rational>& u, int time, feature where, int index) {
+    return grazes({x, u, 1}, time, where, index);
+}
+static_assert(slides_from({{1, -5, 1}}, {{0, 1, 0}}, 3, feature::edge, 0) &&
+              slides_from({{-1, 5, 1}}, {{0, -1, 0}}, 3, feature::edge, 1) &&
+              slides_from({{1, 1, -5}}, {{0, 0, 1}}, 2, feature::edge, 2) &&
+              slides_from({{-1, 1, 5}}, {{0, 0, -1}}, 2, feature::edge, 3));
+static_assert(slides_from({{0, 3, -5}}, {{0, 0, 1}}, 2, feature::corner, 1) &&
+              slides_from({{0, 3, 5}}, {{0, 0, -1}}, 2, feature::corner, 3) &&
+              slides_from({{0, -5, -4}}, {{0, 1, 0}}, 3, feature::corner, 0) &&
+              slides_from({{0, 5, 4}}, {{0, -1, 0}}, 3, feature::corner, 3));
+constexpr bool grazes(const ball<2, rational>& b, int time, int index) {
+    const auto s = solve(b, wall<2, rational>{{{0, -2}}, {{{{0, 4}}}}});
+    return s.what == encounter::graze && s.time == surd(time) && s.where == feature::corner && s.index == index;
+}
+static_assert(grazes({{{1, -5}}, {{0, 1}}, 1}, 3, 0) && grazes({{{1, 5}}, {{0, -1}}, 1}, 3, 1));
+
+// What leaves the wall and comes down to its plane, or goes up from it, touches the border from above: at (4, 3)/5 from
+// an edge or an end, at (1, 2, 2)/3 from a corner.
+static_assert(grazes({{{7, 1, 1}}, {{-3, 4, 0}}, 5}, 1, feature::edge, 1) &&
+              grazes({{{-7, -1, 1}}, {{3, -4, 0}}, 5}, 1, feature::edge, 0) &&
+              grazes({{{7, 1, -2}}, {{-3, 0, -4}}, 5}, 1, feature::edge, 2));
+static_assert(grazes({{{7, 1}}, {{-3, 4}}, 5}, 1, 1) && grazes({{{-7, -1}}, {{3, -4}}, 5}, 1, 0));
+static_assert(grazes({{{5, 3, 4}}, {{-4, 1, 1}}, 3}, 1, feature::corner, 3) &&
+              grazes({{{-5, -3, -4}}, {{4, -1, -1}}, 3}, 1, feature::corner, 0));
+
+// What touches a border now and approaches hits it now. A large ball meets the nearer end, not the one that it would
+// meet if the wall ended there only.
+constexpr bool hits(const ball<3, rational>& b, int time, feature where, int index) {
+    const auto s = solve(b, flat);
+    return s.what == encounter::hit && s.time == surd(time) && s.where == where && s.index == index;
+}
+constexpr bool hits(const ball<2, rational>& b, int time, int index) {
+    const auto s = solve(b, wall<2, rational>{{{0, -2}}, {{{{0, 4}}}}});
+    return s.what == encounter::hit && s.time == surd(time) && s.where == feature::corner && s.index == index;
+}
+static_assert(hits({{{0, 3, 0}}, {{0, -1, 0}}, 1}, 0, feature::edge, 1) &&
+              hits({{{1, 4, 5}}, {{-1, 0, 0}}, 3}, 0, feature::corner, 3) && hits({{{0, 3}}, {{0, -1}}, 1}, 0, 1));
+static_assert(hits({{{3, 10}}, {{0, -1}}, 5}, 4, 1) && hits({{{3, -10}}, {{0, 1}}, 5}, 4, 0));
+static_assert(hits({{{1, 9, 5}}, {{0, -1, 0}}, 3}, 5, feature::corner, 3) &&
+              hits({{{1, 4, 10}}, {{0, 0, -1}}, 3}, 5, feature::corner, 3) &&
+              hits({{{1, -9, -5}}, {{0, 1, 0}}, 3}, 5, feature::corner, 0));
+
 } // namespace

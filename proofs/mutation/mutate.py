@@ -22,14 +22,15 @@ FORMULAS = ROOT / "include/graze/formula"
 # The proofs, the quick ones first; and those that are about a header, which are tried before the others.
 PROOFS = ["formula/encounter", "formula/root_order", "formula/roots", "formula/contact", "formula/plane_crossing",
           "formula/discriminant", "formula/flight_motion", "formula/solve_wall", "formula/impulse", "formula/errata",
-          "formula/wall_features", "analysis/bit_width", "predicate/scenes", "formula/wall_encounter", "predicate/wall_scenes",
-          "predicate/decisions"]
+          "formula/wall_features", "formula/slanted_wall", "analysis/bit_width", "predicate/scenes",
+          "formula/wall_encounter", "predicate/wall_scenes", "predicate/decisions"]
 ABOUT = {
     "relative_motion": ["formula/discriminant"], "quadratic": ["formula/discriminant"],
     "discriminant": ["formula/discriminant"], "roots": ["formula/roots"], "root_order": ["formula/root_order"],
     "contact": ["formula/contact"], "impulse": ["formula/impulse"], "plane_crossing": ["formula/plane_crossing"],
     "wall_features": ["formula/wall_features"],
-    "wall_encounter": ["formula/wall_encounter", "formula/wall_features", "predicate/wall_scenes"],
+    "wall_encounter": ["formula/wall_encounter", "formula/slanted_wall", "formula/solve_wall", "formula/wall_features",
+                       "predicate/wall_scenes"],
     "encounter": ["formula/encounter"], "solution": ["predicate/scenes", "formula/errata"],
     "solve_balls": ["predicate/scenes"], "solve_plane": ["predicate/scenes"],
     "solve_wall": ["formula/solve_wall", "predicate/scenes", "predicate/wall_scenes"],

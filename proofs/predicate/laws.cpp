@@ -229,7 +229,15 @@ struct overlap_now {
 static_assert(of_all<overlap_now>);
 static_assert(overlap_now{}(passing(90), still) && overlaps(passing(90), still));
 static_assert(overlap_now{}(still, passing(7)) && overlap_now{}(ball<2>{{1, 0}, {1, 0}, 1}, still), "parting inside");
+static_assert(classify(still, passing(100)) == encounter::overlap &&
+              classify(ball<2>{{1, 0}, {1, 0}, 1}, still) == encounter::recede);
 static_assert(!overlaps(ball<2>{{13, 0}, {-1, 0}, 7}, still), "touching is not overlapping");
+constexpr ball<2> vast{{0, 0}, {0x1p-300, 0}, 0x1p300}; // exponents far apart
+static_assert(overlap_now{}(vast, ball<2>{{1, 0}, {0, 0}, 0x1p-300}) &&
+              classify(vast, ball<2>{{1, 0}, {0, 0}, 0x1p-300}) == encounter::overlap);
+static_assert(classify(vast, ball<2>{{-1, 0}, {0, 0}, 0x1p-300}) == encounter::recede &&
+              classify(vast, ball<2>{{0x1p300, 0}, {0, 0}, 0x1p-300}) == encounter::overlap &&
+              classify(vast, ball<2>{{0x1p300, 0}, {0, 0}, 0}) == encounter::hit);
 static_assert(overlaps(ball<2>{{13, 0}, {-1, 0}, 7 + 4 * ulp}, still));
 static_assert(overlap_now{}(falling(1 - ulp, -1), ground) && overlaps(falling(1 - ulp, -1), ground));
 static_assert(overlap_now{}(falling(0.5, 1), ground) && overlaps(falling(0.5, 1), ground), "parting inside");
@@ -247,5 +255,13 @@ static_assert(among_numbers(three[0]) && among_numbers(three[1]) && among_number
 constexpr auto irrational = *time_of_impact(passing(8), still);
 static_assert(among_numbers(irrational) && irrational.lower() < irrational.upper() && irrational != irrational.lower());
 static_assert(irrational < 2.0 && three[1] == 2.0 && irrational < three[1], "through a number");
+static_assert(irrational > 0.0 && irrational > -1.0 && irrational < 4.0 && irrational < 0x1p40, "beyond both roots");
+// The nearest number is one of the two, in one case each.
+constexpr auto other = *time_of_impact(passing(9), still);
+static_assert(static_cast<double>(irrational) == irrational.upper() && static_cast<double>(other) == other.lower());
+static_assert(among_numbers(other) && other.lower() < other.upper());
+// Of an overlap all three are 0.
+constexpr auto at_once = *time_of_impact(passing(90), still);
+static_assert(among_numbers(at_once) && at_once.upper() == 0 && static_cast<double>(at_once) == 0);
 
 } // namespace
