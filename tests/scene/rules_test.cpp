@@ -179,6 +179,61 @@ TEST_CASE("events of exactly the time asked for are done, and a later call goes 
     CHECK(run.advance({.events = 1}).events == 1);
 }
 
+TEST_CASE("other states are checked, and a run goes on from them as from a start") {
+    const balls two = {{{{0, 0}}, {{1, 0}}, 1, 1}, {{{9, 0}}, {{-1, 0}}, 1, 1}, {{{-9, 5}}, {{1, 0}}, 1, infinite}};
+    const planes upright = {{{{0, 0}}, {{1, 0}}}};
+    graze::run<plain> run(graze::scene<2>{two, {}, {}});
+    CHECK(run.advance({.time = 4}).events == 1); // at 3.5
+    const auto message = [&](auto change) -> std::string {
+        try {
+            run.restate([&](int i, graze::flight<2> f) {
+                if (i == 1) {
+                    change(f);
+                }
+                return f;
+            });
+        } catch (const std::domain_error& e) {
+            return e.what();
+        }
+        return "";
+    };
+    CHECK(message([](auto& f) { f.state.position[1] = std::nan(""); }) == "ball 1: position is not finite");
+    CHECK(message([](auto& f) { f.state.velocity[0] = infinite; }) == "ball 1: velocity is not finite");
+    CHECK(message([](auto& f) { f.since = infinite; }) == "ball 1: time is not finite");
+    CHECK(message([](auto& f) { f.state.radius = 2; }) == "ball 1: radius is another one");
+    CHECK(message([](auto& f) { f.state.mass = 2; }) == "ball 1: mass is another one");
+    CHECK(message([](auto& f) { f.since = 3; }) == "ball 1: state is earlier than the last event");
+    CHECK(run.in_flight(1).state.velocity[0] == 1);
+    CHECK(run.advance({}).why == graze::ending::exhausted);
+    CHECK(message([](auto& f) { f.state = {{{4, 0}}, {{-2, 0}}, 1, 1}; }) == ""); // into the other, which it overlaps
+    CHECK(run.advance({}).events == 1);
+    CHECK(run.in_flight(1).since == 3.5);
+
+    graze::run<plain> mirror(graze::scene<2>{two, upright, {}}); // which comes to the plane at 8 and is not told again
+    CHECK(mirror.advance({.time = 9}).events == 3);
+    mirror.restate([&](int i, const graze::flight<2>& f) {
+        return i == 2 ? f : graze::flight<2>{mirror.rules().ball_at(f, 9), 9};
+    });
+    std::uint64_t told = 0;
+    mirror.advance({.events = 10}, [&](const graze::run_event<plain>& e) { told += e.who.a == 2 ? 1 : 0; });
+    CHECK(told == 0);
+}
+
+TEST_CASE("a point that is put on the other side of what it left is there") {
+    const balls point = {{{{2, 0}}, {{-1, 0}}, 0, 1}};
+    const planes upright = {{{{0, 0}}, {{1, 0}}}};
+    graze::run<plain> run(graze::scene<2>{point, upright, {}});
+    CHECK(run.advance({}).events == 1);
+    run.restate([](int, graze::flight<2> f) {
+        f.state.position[0] = -5;
+        f.since = 4;
+        return f;
+    });
+    CHECK(run.advance({.events = 1}).events == 1);
+    CHECK(run.in_flight(0).since == 9);
+    CHECK(run.in_flight(0).state.velocity[0] == -1);
+}
+
 TEST_CASE("an observer stops a run, and its exception loses nothing") {
     const balls one = {{{{3, 0}}, {{-1, 0}}, 1, 1}};
     const planes two = {{{{0, 0}}, {{1, 0}}}, {{{10, 0}}, {{1, 0}}}};

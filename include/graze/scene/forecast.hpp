@@ -30,6 +30,7 @@ class forecast {
         }
         cells_ = cell_grid<dimension>(flights, now, with_cells_);
         heap_.clear();
+        start_ = now;
         for (body a = 0; a < scene_.balls(); ++a) {
             forget();
             predict(a, a + 1);
@@ -109,7 +110,8 @@ class forecast {
         }
         if (const std::optional<time> when = scene_.meet(a, b)) {
             const time_bounds bounds = scene_.rules().bounds(*when);
-            if (bounds.lower < std::numeric_limits<double>::max()) { // else never, or not a number
+            const bool is_past = bounds.upper < start_; // of mirrors, whose flights began before
+            if (bounds.lower < std::numeric_limits<double>::max() && !is_past) { // else never, or not a number
                 const std::uint32_t count_b = b < scene_.balls() ? scene_.count(b) : 0;
                 found_.push_back({bounds.lower, a, b, scene_.count(a), count_b});
             }
@@ -209,6 +211,7 @@ class forecast {
     cell_grid<dimension> cells_;
     event_heap heap_;
     bool with_cells_;
+    double start_ = 0;                 // of the predictions
     std::size_t worth_a_purge_ = 1024; // so many entries of the heap
     std::vector<foreseen> found_;      // this and the next stand here so that an event allocates nothing
     std::vector<due<time>> nearest_;

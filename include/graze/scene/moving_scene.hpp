@@ -6,6 +6,7 @@
 #include <graze/scene/kept_sides.hpp>
 #include <graze/scene/mechanics.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace graze::detail {
@@ -139,6 +140,19 @@ class moving_scene {
         }
     }
 
+    // Gives ball a another state. A point that is still on its way, but for rounding, keeps the sides on which it
+    // belongs; elsewhere they would mean nothing.
+    void restate(body a, state other) {
+        const flight<dimension, double> f = mechanics_.about(movers_[a].state), g = mechanics_.about(other);
+        if (!kept_.empty() && !is_on_the_way(f, g)) {
+            kept_[a] = {};
+        }
+        const bool flies_on = movers_[a].immovable && f.since == g.since && f.state.position == g.state.position &&
+                              f.state.velocity == g.state.velocity;
+        movers_[a].state = std::move(other);
+        movers_[a].last = flies_on ? movers_[a].last : no_body;
+    }
+
   private:
     void change(body a, body b, const time& when) {
         mover<state>& x = movers_[a];
@@ -157,6 +171,17 @@ class moving_scene {
         counts_[a] += x.immovable ? 0 : 1;
         keep_due(a, before_a, b);
         tidy(a, b);
+    }
+
+    [[nodiscard]] static bool is_on_the_way(const flight<dimension, double>& f, const flight<dimension, double>& g) {
+        for (int i = 0; i < dimension; ++i) {
+            const double way = f.state.velocity[i] * (g.since - f.since);
+            const double far = std::fabs(f.state.position[i]) + std::fabs(way);
+            if (!(std::fabs(f.state.position[i] + way - g.state.position[i]) <= 0x1p-20 * far)) { // floats' rounding
+                return false;
+            }
+        }
+        return true;
     }
 
     template <class F>

@@ -4,7 +4,9 @@
 #include <graze/scene/forecast.hpp>
 #include <graze/scene/outcome.hpp>
 
+#include <cmath>
 #include <sstream>
+#include <string>
 
 namespace graze {
 
@@ -89,19 +91,19 @@ class run {
     [[nodiscard]] int balls() const noexcept { return static_cast<int>(scene().balls()); }
     [[nodiscard]] const M& rules() const noexcept { return scene().rules(); }
 
-    // Gives every ball another state, f(index, state), as when velocities are turned round, and predicts anew. None of
-    // them may be earlier than the last event; radii and masses must stay. What f throws leaves the run as it was.
+    // Gives every ball another state, f(index, state), as when velocities are turned round, and predicts anew. What
+    // overlaps is treated as at the start. Throws std::domain_error that names a ball whose state is not finite, is
+    // earlier than the last event (unless it is a mirror), or has another radius or mass. This and what f throws leave
+    // the run as it was.
     template <class F>
     void restate(F f) {
-        std::vector<state> states;
-        states.reserve(scene().balls());
-        for (body a = 0; a < scene().balls(); ++a) {
-            states.push_back(f(scene().name(a), scene()[a].state));
-        }
         run changed(*this);
         for (body a = 0; a < scene().balls(); ++a) {
-            changed.forecast_.scene()[a].state = std::move(states[a]);
-            changed.forecast_.scene()[a].last = detail::no_body;
+            state other = f(scene().name(a), scene()[a].state);
+            if (const char* fault = fault_of_state(a, other)) {
+                throw std::domain_error("ball " + std::to_string(scene().name(a)) + ": " + fault);
+            }
+            changed.forecast_.scene().restate(a, std::move(other));
         }
         changed.due_.clear();
         changed.next_ = 0;
@@ -121,6 +123,21 @@ class run {
             e.between(scene().named(d.what.a, d.what.b));
             throw;
         }
+    }
+
+    // What is wrong with another state of ball a, or nullptr, by its roundings to doubles. Those of two equal times
+    // differ by no more than 2^-49 of them.
+    [[nodiscard]] const char* fault_of_state(body a, const state& other) const {
+        const flight<dimension, double> was = scene().rules().about(scene()[a].state);
+        const flight<dimension, double> is = scene().rules().about(other);
+        return !detail::is_finite(is.state.position)   ? "position is not finite"
+               : !detail::is_finite(is.state.velocity) ? "velocity is not finite"
+               : !detail::is_finite_input(is.since)    ? "time is not finite"
+               : is.state.radius != was.state.radius   ? "radius is another one"
+               : is.state.mass != was.state.mass       ? "mass is another one"
+               : !scene()[a].immovable && is.since + std::fabs(is.since) * 0x1p-48 < now_
+                   ? "state is earlier than the last event"
+                   : nullptr;
     }
 
     bool take_earliest() {
