@@ -34,6 +34,18 @@ inline constexpr bool has_error_free_doubles = false;
     return (one + 0x1p-55 == one - 0x1p-55) & (half_subnormal + half_subnormal == 0x1p-1022);
 }
 
+// Of the rounding direction alone, by two sums in registers: a control register is not to be had before all sums that
+// may still set its flags. 1 + 2^-55 = 1 - 2^-55 only to nearest.
+[[nodiscard, gnu::always_inline]] inline bool adds_to_nearest() noexcept {
+    double one = 1;
+#if defined(__SSE2_MATH__)
+    __asm__ volatile("" : "+x"(one));
+#else
+    one = unknown(one);
+#endif
+    return one - 0x1p-55 >= one + 0x1p-55; // for less than ==
+}
+
 // What is state when running, at the cost of reading a control register where there is one.
 [[nodiscard, gnu::always_inline]] inline bool rounds_to_nearest() noexcept {
 #if defined(__SSE2_MATH__)

@@ -31,6 +31,24 @@ struct lanes {
 
 [[nodiscard, gnu::always_inline]] inline lanes both(double x) noexcept { return lanes{x, x}; }
 
+// x by itself: a compiler that sees its neighbour in memory would read both at once, and wait until both have been
+// written there, one by one.
+[[nodiscard, gnu::always_inline]] inline double read_alone(double x) noexcept {
+#if defined(__GNUC__) && defined(__SSE2_MATH__)
+    __asm__("" : "+x"(x));
+#endif
+    return x;
+}
+
+// √x of an x that is not negative, without the question whether it is, which std::sqrt asks for errno's sake.
+[[nodiscard, gnu::always_inline]] inline double plain_sqrt(double x) noexcept {
+#if defined(__GNUC__) && defined(__SSE2_MATH__)
+    return __builtin_ia32_sqrtsd(lanes{x, 0})[0];
+#else
+    return std::sqrt(x);
+#endif
+}
+
 [[nodiscard, gnu::always_inline]] inline double absolute(double x) noexcept { return std::fabs(x); }
 [[nodiscard, gnu::always_inline]] inline lanes absolute(const lanes& x) noexcept {
     return lanes{std::fabs(x[0]), std::fabs(x[1])};

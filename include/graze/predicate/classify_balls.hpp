@@ -69,31 +69,50 @@ template <class T>
 inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0x1p-450;
 
 // Constants: a ball_filter's, for the motion m and |length|² as it is computed.
-template <class T, class Constants, class M>
-[[nodiscard, gnu::always_inline]] inline filtered_balls filter_motion(const M& m, double length2) noexcept {
-    filtered_balls r;
-    const auto q = quadratic_of(m);
-    r.h = q.h;
-    r.c = q.c;
-    r.length2 = length2;
-    r.scale = q.a * length2;
-    r.discriminant = discriminant_halved{}(q);
-    const double bound = Constants::discriminant * r.scale;
-    // h² is to be large enough, and |D| and a|c| unless h > 0, when h |h| stands in for them.
-    const double others = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c));
-    const bool certain = std::min(r.h * r.h, std::max(others, r.h * std::fabs(r.h))) > bound;
-    const bool in_range = (std::min(q.a, r.length2) > smallest_square<T>)&(r.scale < 0x1p570);
-    r.certain = certain & in_range;
+template <class T, class Constants>
+struct started_filter {
+    quadratic<double, double, double> q;
+    double length2;
+    double scale;
+    bool in_range;
+
+    template <class M>
+    [[gnu::always_inline]] constexpr started_filter(const M& m, double square) noexcept
+        : q(quadratic_of(m)), length2(square), scale(q.a * length2),
+          in_range((std::min(q.a, length2) > smallest_square<T>)&(scale < 0x1p570)) {}
+
+    // Whether h > 0 is certain. Where a branch on it is worth while, it saves what follows.
+    [[nodiscard, gnu::always_inline]] bool is_parting() const noexcept {
+        return all_hold(q.h * std::fabs(q.h) > Constants::discriminant * scale, in_range);
+    }
+    [[nodiscard, gnu::always_inline]] filtered_balls finish() const noexcept {
+        filtered_balls r;
+        r.h = q.h;
+        r.c = q.c;
+        r.length2 = length2;
+        r.scale = scale;
+        r.discriminant = discriminant_halved{}(q);
+        const double bound = Constants::discriminant * scale;
+        // h² is to be large enough, and |D| and a|c| unless h > 0, when h |h| stands in for them.
+        const double others = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c));
+        const bool certain = std::min(r.h * r.h, std::max(others, r.h * std::fabs(r.h))) > bound;
+        r.certain = certain & in_range;
+        return r;
+    }
+};
+
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline started_filter<T, ball_filter<N, T>>
+start_filter(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+    const auto m = rounded_motion(a, b);
+    started_filter<T, ball_filter<N, T>> r(m, graze::squared_norm(m.dx) + m.R * m.R);
+    r.in_range = r.in_range & plain_radii(a.radius, b.radius);
     return r;
 }
-
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a,
                                                                      const ball<N, T>& b) noexcept {
-    const auto m = rounded_motion(a, b);
-    auto r = filter_motion<T, ball_filter<N, T>>(m, graze::squared_norm(m.dx) + m.R * m.R);
-    r.certain = r.certain & plain_radii(a.radius, b.radius);
-    return r;
+    return start_filter(a, b).finish();
 }
 
 // f(motion) with the exact relative motion of two balls whose values have been checked.

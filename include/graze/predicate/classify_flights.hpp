@@ -69,7 +69,7 @@ template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline filtered_balls filter_flights(const flight<N, T>& a,
                                                                        const flight<N, T>& b) noexcept {
     const auto m = rounded_motion(a, b);
-    filtered_balls r = filter_motion<T, flight_filter<N, T>>(m.motion, m.length2);
+    filtered_balls r = started_filter<T, flight_filter<N, T>>(m.motion, m.length2).finish();
     r.certain = r.certain & m.in_range & plain_radii(a.state.radius, b.state.radius);
     return r;
 }

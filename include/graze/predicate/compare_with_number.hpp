@@ -23,10 +23,10 @@ template <class Event, class Bounds, class U>
                                                                   const U& time, bool as_double) {
     if (as_double) {
         const auto m = static_cast<double>(as_stored(time));
-        if (bounds.upper < m) {
+        if (bounds.upper() < m) {
             return std::partial_ordering::less;
         }
-        if (bounds.lower > m) {
+        if (bounds.lower() > m) {
             return std::partial_ordering::greater;
         }
     }

@@ -4,57 +4,62 @@
 #include <graze/formula/quadratic.hpp>
 #include <graze/formula/roots.hpp>
 #include <graze/number/approximate.hpp>
+#include <graze/number/binary.hpp>
+#include <graze/number/environment.hpp>
 #include <graze/number/fence.hpp>
+#include <graze/number/lanes.hpp>
 
 #include <cmath>
 #include <limits>
 
 namespace graze::detail {
 
-// 0 <= lower <= τ <= upper, but for an upper bound that is not known: it is then the largest double, and τ may be
-// beyond. No lower bound and no finite time in T is above that; an infinity would be no value at all under -ffast-math.
+// near - error <= τ <= near + error, as they are computed in any rounding mode, but for an error that is not known: it
+// is then the largest double, and τ may be beyond. No finite time in T is above that; an infinity would be no value at
+// all under -ffast-math.
 struct enclosure {
     static constexpr double unknown = std::numeric_limits<double>::max();
 
-    double lower = 0;
-    double upper = unknown;
+    double near = 0;
+    double error = unknown;
+
+    [[nodiscard]] constexpr bool is_known() const noexcept { return error < unknown; }
+    [[nodiscard]] constexpr bool is_zero() const noexcept { return (bits_of(near) | bits_of(error)) == 0; }
+    [[nodiscard]] constexpr double lower() const noexcept { return near - error; }
+    [[nodiscard]] constexpr double upper() const noexcept { return near + error; }
 };
 
-// A quotient and a root that have been checked by products. Neither the hardware's rounding nor an estimate that the
-// compiler put in their place matters: each is right to 2^-47, relatively, or `good` is false.
-struct checked_root {
-    double root, time, denominator;
-    bool good;
-};
-[[nodiscard]] inline checked_root check_root(double c, double minus_h, double discriminant) noexcept {
-    const double root = fence(std::sqrt(discriminant));
-    const double denominator = fence(minus_h + root);
-    const double time = fence(root_stable{}(c, -minus_h, root));
-    const bool good = std::fabs(root * root - discriminant) <= 0x1p-48 * discriminant &&
-                      std::fabs(time * denominator - c) <= 0x1p-48 * c;
-    return {root, time, denominator, good};
+// At least 1/x and at most 9/8 of it, for less than a division: of x = 2^e (1 + f) it is 2^-e (1 - f/2), and (1 + f)(1
+// - f/2) = 1 + f (1 - f)/2. x is positive, normal and below 2^1022.
+[[nodiscard]] inline double inverse_or_more(double x) noexcept {
+    return std::bit_cast<double>(0x7fe0000000000000U - bits_of(x));
 }
 
 // Around τ = c/d, d = -h + √D, from values ĉ, ĥ, D̂ whose errors are at most error_c, error_h and error_d, where
-// error_root >= error_d + error_h √D and D̂ > 8 error_root; all positive, no over- or underflow. With ŝ, d̂, t̂ the root,
-// the denominator and the time as computed and checked:
+// error_root >= error_d + error_h √D and D̂ > 8 error_root; all positive, no over- or underflow. The root ŝ and the time
+// t̂ are right to 2^-47, relatively, since their squares and products say so where the compiler may have put an estimate
+// in the place of the hardware's rounding. With d̂ = -ĥ + ŝ
 //   |√D - ŝ| = |D - ŝ²|/(√D + ŝ) <= error_d/ŝ + 2^-48 ŝ,
 //   |d - d̂| <= e := error_root/ŝ + 2^-47 d̂ <= d̂/7, since ŝ <= d̂,
-//   |τ - t̂| = |c - t̂ d|/d <= (error_c + 2^-48 ĉ + t̂ e)/(d̂ - e) <= 7/6 (error_c + t̂ error_root/ŝ)/d̂ + 2^-46 t̂.
+//   |τ - t̂| = |c - t̂ d|/d <= (error_c + 2^-48 ĉ + t̂ e)/(d̂ - e) <= 7/6 (error_c ŝ + t̂ error_root)/(ŝ d̂) + 2^-46 t̂.
 // What is taken, 3/2 of the first and 2^-45 of the second, covers the roundings of the expression itself. Without a
-// certain enclosure the upper bound is unknown and the lower one 0.
+// certain enclosure nothing is known.
+//
+// For c and d from lengths L and velocities V of a motion with L², V² > 2^-450 and L² V² < 2^570: ŝ d̂ is within
+// 2^-1000 and 2^573, as D̂ > 2^-50 L² V².
 [[nodiscard]] inline enclosure enclose(double c, double h, double discriminant, double error_c,
                                        double error_root) noexcept {
-    if (!(discriminant > 8 * error_root)) {
-        return {};
+    const double root = fence(plain_sqrt(discriminant));
+    const double denominator = fence(root - h);
+    const double time = fence(root_stable{}(c, h, root));
+    if constexpr (!has_error_free_doubles) {
+        if (!(std::fabs(root * root - discriminant) <= 0x1p-48 * discriminant &&
+              std::fabs(time * denominator - c) <= 0x1p-48 * c)) {
+            return {};
+        }
     }
-    const checked_root r = check_root(c, -h, discriminant);
-    if (!r.good) {
-        return {};
-    }
-    const double error = 1.5 * (error_c + r.time * (error_root / r.root)) / r.denominator + 0x1p-45 * r.time;
-    const double lower = r.time - error;
-    return {lower > 0 ? lower : 0, r.time + error};
+    const double inverse = 1.5 * inverse_or_more(root * denominator);
+    return {time, time * (error_root * inverse + 0x1p-45) + error_c * (root * inverse)};
 }
 
 // Around the smaller root of an exact quadratic with a > 0, h < 0, c >= 0 and D >= 0 whose unit of time is 2^unit.
@@ -84,7 +89,7 @@ template <class Q>
         return {};
     }
     const double scaled = time * power_of_two(static_cast<int>(power));
-    return {scaled * (1 - 0x1p-44), scaled * (1 + 0x1p-44)};
+    return {scaled, scaled * 0x1p-44};
 }
 
 } // namespace graze::detail

@@ -29,7 +29,7 @@ template <int N, class T>
     const auto third = [&](const T* x) { return N == 3 ? at(x, N - 1) : 0.0; };
     lane_motion m;
     m.x01 = two_difference(lanes{at(x_a, 0), at(x_a, 1)}, lanes{at(x_b, 0), at(x_b, 1)});
-    m.xR2 = two_difference(lanes{at(&r_a, 0), third(x_a)}, lanes{-at(&r_b, 0), third(x_b)});
+    m.xR2 = two_difference(lanes{read_alone(at(&r_a, 0)), third(x_a)}, lanes{-read_alone(at(&r_b, 0)), third(x_b)});
     m.u01 = two_difference(lanes{at(u_a, 0), at(u_a, 1)}, lanes{at(u_b, 0), at(u_b, 1)});
     m.u_2 = two_difference(lanes{0, third(u_a)}, lanes{0, third(u_b)});
     return m;
@@ -123,7 +123,7 @@ template <bool Fused>
     const lanes v01 = m.u01.value * m.u01.value;
     const double speed2 = v01[0] + v01[1] + m.u_2.value[1] * m.u_2.value[1];
     const double inverse = 1 / sigma;
-    r.t1 = settled(0.5 * residual * inverse);
+    r.t1 = settled(residual * (0.5 * inverse));
     r.sensitivity = (speed2 * inverse) * (length2 * inverse);
     r.per_time = speed2 * inverse;
     const double magnitude = absolute(r.t1);

@@ -43,7 +43,7 @@ template <int N, class T>
     }
     const double error = 1.5 * (0x1p-48 * (height_scale + reach) + 0x1p-48 * time * speed_scale) / speed;
     const double lower = time - error;
-    return lower > 0 ? enclosure{lower, time + error} : enclosure{};
+    return lower > 0 ? enclosure{time, error} : enclosure{};
 }
 
 } // namespace graze::detail

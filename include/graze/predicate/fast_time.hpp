@@ -59,10 +59,14 @@ template <class T, int N, class U>
     return absolute(found.high) > 0x1p-500 ? rounded_without_doubt<T>(found, mode) : std::nullopt;
 }
 
-// time: near that of the event, which is not an overlap. The inputs are doubles or numbers that doubles hold exactly.
+// Whether doubles are tried at all: the inputs are doubles or numbers that doubles hold exactly.
+template <class U>
+inline constexpr bool is_rounded_by_doubles = has_error_free_doubles && !std::is_same_v<U, std::int64_t>;
+
+// time: near that of the event, which is not an overlap.
 template <class T, int N, class U>
-[[nodiscard]] inline std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
-    if constexpr (has_error_free_doubles && !std::is_same_v<U, std::int64_t>) {
+[[nodiscard, gnu::noinline]] std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
+    if constexpr (is_rounded_by_doubles<U>) {
         if (e.kind == event_kind::balls && rounds_to_nearest()) {
             const auto found = with_best_products(time_by_doubles<N, U>{e.row.data(), time});
             if (found.good) {

@@ -10,10 +10,12 @@ namespace detail {
 
 // Two doubles between which a time lies, whose lower end may be unknown as well. At its start: on both.
 struct timed_enclosure {
-    double lower = -enclosure::unknown;
-    double upper = enclosure::unknown;
+    double first = -enclosure::unknown;
+    double last = enclosure::unknown;
 
-    [[nodiscard]] constexpr bool is_point() const noexcept { return bits_of(lower) == bits_of(upper); }
+    [[nodiscard]] constexpr bool is_point() const noexcept { return bits_of(first) == bits_of(last); }
+    [[nodiscard]] constexpr double lower() const noexcept { return first; }
+    [[nodiscard]] constexpr double upper() const noexcept { return last; }
 };
 
 // start + τ, τ in the enclosure given. A sum is off by at most u of itself in any rounding mode, and by what a mode
@@ -21,11 +23,11 @@ struct timed_enclosure {
 template <class T>
 [[nodiscard]] inline timed_enclosure counted_from(double start, const enclosure& e) noexcept {
     constexpr double flushed = std::is_same_v<T, float> ? 0x1p-124 : 0x1p-1020;
-    const double low = start + e.lower;
-    const double high = start + e.upper;
+    const double low = start + e.lower();
+    const double high = start + e.upper();
     const double lower = low - (0x1p-51 * std::fabs(low) + flushed);
     const double upper = high + (0x1p-51 * std::fabs(high) + flushed);
-    return {lower, e.upper < enclosure::unknown && upper < enclosure::unknown ? upper : enclosure::unknown};
+    return {lower, e.is_known() && upper < enclosure::unknown ? upper : enclosure::unknown};
 }
 
 } // namespace detail
@@ -58,12 +60,12 @@ class flight_time {
     // The sign of *this - y: -1, 0 or 1. The observer is told which stage decided.
     template <class Observer = ignore_stage>
     [[nodiscard]] constexpr int compare(const flight_time& y, Observer&& observer = {}) const {
-        if (bounds_.upper < y.bounds_.lower || bounds_.lower > y.bounds_.upper) {
+        if (bounds_.last < y.bounds_.first || bounds_.first > y.bounds_.last) {
             observer(stage::filter);
-            return bounds_.upper < y.bounds_.lower ? -1 : 1;
+            return bounds_.last < y.bounds_.first ? -1 : 1;
         }
         if (bounds_.is_point() && y.bounds_.is_point() &&
-            detail::bits_of(bounds_.upper) == detail::bits_of(y.bounds_.upper)) { // both touch or overlap then
+            detail::bits_of(bounds_.last) == detail::bits_of(y.bounds_.last)) { // both touch or overlap then
             observer(stage::filter);
             return 0;
         }
@@ -78,7 +80,7 @@ class flight_time {
     [[nodiscard]] constexpr T upper() const { return rounded(rounding::upward); }
 
     // A double near the time, at no cost: for reports, not for decisions. In a constant expression 0.
-    [[nodiscard]] constexpr double about() const noexcept { return 0.5 * bounds_.lower + 0.5 * bounds_.upper; }
+    [[nodiscard]] constexpr double about() const noexcept { return 0.5 * bounds_.first + 0.5 * bounds_.last; }
 
     // Two doubles between which it lies, at no cost. In a constant expression they tell nothing.
     [[nodiscard]] constexpr const detail::timed_enclosure& enclosure() const noexcept { return bounds_; }

@@ -44,21 +44,22 @@ class impact_time {
     // Against a time in any of these types, exactly: neither side is rounded. Unordered with NaN.
     template <detail::time_number U>
     [[nodiscard]] friend constexpr std::partial_ordering operator<=>(const impact_time& x, const U& time) {
-        return detail::compare_with_number(x.event_, x.bounds_, time);
+        return detail::compare_with_number(x.event_, x.bounds(), time);
     }
     template <detail::time_number U>
     [[nodiscard]] friend constexpr bool operator==(const impact_time& x, const U& time) {
-        return detail::compare_with_number(x.event_, x.bounds_, time) == 0;
+        return detail::compare_with_number(x.event_, x.bounds(), time) == 0;
     }
 
     // The sign of *this - y: -1, 0 or 1. The observer is told which stage decided.
     template <class Observer = ignore_stage>
     [[nodiscard]] constexpr int compare(const impact_time& y, Observer&& observer = {}) const {
-        if (bounds_.upper < y.bounds_.lower || bounds_.lower > y.bounds_.upper) {
+        const bool before = bounds().upper() < y.bounds().lower();
+        if (before || bounds().lower() > y.bounds().upper()) {
             observer(stage::filter);
-            return bounds_.upper < y.bounds_.lower ? -1 : 1;
+            return before ? -1 : 1;
         }
-        if (bounds_.upper == 0 && y.bounds_.upper == 0) { // both touch or overlap now
+        if (bounds().is_zero() && y.bounds().is_zero()) { // both touch or overlap now
             observer(stage::filter);
             return 0;
         }
@@ -70,25 +71,29 @@ class impact_time {
     using rounded_type = std::conditional_t<std::is_floating_point_v<T>, T, double>;
 
     // The nearest number, ties to even; beyond the largest one, an infinity.
-    [[nodiscard]] explicit constexpr operator rounded_type() const {
-        return detail::round_time<rounded_type>(event_, bounds_, rounding::nearest);
+    [[nodiscard, gnu::always_inline]] explicit constexpr operator rounded_type() const {
+        return detail::round_time<rounded_type>(event_, bounds(), rounding::nearest);
     }
     // The largest number that is not later, and the smallest that is not earlier.
     [[nodiscard]] constexpr rounded_type lower() const {
-        return detail::round_time<rounded_type>(event_, bounds_, rounding::downward);
+        return detail::round_time<rounded_type>(event_, bounds(), rounding::downward);
     }
     [[nodiscard]] constexpr rounded_type upper() const {
-        return detail::round_time<rounded_type>(event_, bounds_, rounding::upward);
+        return detail::round_time<rounded_type>(event_, bounds(), rounding::upward);
     }
 
     // For time_of_impact: an event, by the arguments of its constructor, and its enclosure.
     template <class... Event>
     constexpr impact_time(detail::impact_time_key, const detail::enclosure& bounds, const Event&... arguments) noexcept
-        : event_(arguments...), bounds_(bounds) {}
+        : error_(bounds.error), event_(arguments...), near_(bounds.near) {}
 
   private:
+    [[nodiscard]] constexpr detail::enclosure bounds() const noexcept { return {near_, error_}; }
+
+    // Not side by side: a compiler would store them together, and a conversion that needs the one wait for the other.
+    double error_;
     detail::event<N, T> event_;
-    detail::enclosure bounds_;
+    double near_;
 };
 
 } // namespace graze

@@ -8,8 +8,20 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
+#include <type_traits>
 
 namespace graze::detail {
+
+// Two numbers at a time, and not in a loop: a pair that is read as one soon after was better written as one.
+template <int N, class T>
+[[gnu::always_inline]] constexpr inline void copy_vector(T* row, const vec<N, T>& x) noexcept {
+    if (std::is_constant_evaluated()) {
+        std::copy_n(x.component, N, row);
+    } else {
+        std::memcpy(row, x.component, sizeof(x.component));
+    }
+}
 
 // Each pair kind has: the numbers of lengths, velocities and normals; pack, which writes the row; and motion, which
 // makes of lifted inputs the relative motion that the formulas take.
@@ -22,12 +34,10 @@ struct two_balls {
 
     template <class T>
     static constexpr void pack(T* row, const ball<N, T>& a, const ball<N, T>& b) noexcept {
-        for (std::size_t i = 0; i < n; ++i) {
-            row[i] = a.position.component[i];
-            row[n + i] = b.position.component[i];
-            row[lengths + i] = a.velocity.component[i];
-            row[lengths + n + i] = b.velocity.component[i];
-        }
+        copy_vector(row, a.position);
+        copy_vector(row + n, b.position);
+        copy_vector(row + lengths, a.velocity);
+        copy_vector(row + lengths + n, b.velocity);
         row[2 * n] = a.radius;
         row[2 * n + 1] = b.radius;
     }

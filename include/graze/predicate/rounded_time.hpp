@@ -108,6 +108,28 @@ template <class T, int N, class U>
     });
 }
 
+// The time of two balls that do not overlap, near `time`, rounded to nearest: by doubles if that leaves no doubt.
+//
+// Of the environment the rounding direction matters alone. Where subnormals are read or written as zeros, an operation
+// loses at most 2^-1022, and R and t0 times that (below 2^201 each) go into |y|² - R²: less than 2^-700, while the
+// error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result of which these bounds leave no doubt is
+// no subnormal double; a float that is one is compared with zero, and in doubt where it is read as that.
+template <class T, int N, class U>
+struct nearest_time {
+    const event<N, U>* e;
+    double time;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] T operator()(std::bool_constant<Fused> fused) const {
+        const auto found = time_by_doubles<N, U>{e->row.data(), time}(fused);
+        const ends<double> interval = ends_of<T>(found.time);
+        if (all_hold(found.good, agree<T>(interval), adds_to_nearest())) [[likely]] {
+            return static_cast<T>(interval.upper);
+        }
+        return round_exactly<T>(*e, rounding::nearest);
+    }
+};
+
 // The same of a double.
 template <class T>
 [[nodiscard]] constexpr T round_double(const double& x, rounding mode) {
@@ -123,18 +145,25 @@ template <class T>
 
 // The time of an event in the enclosure: where both ends are rounded to the same number, so is it.
 template <class T, int N, class U>
-[[nodiscard]] constexpr T round_time(const event<N, U>& e, const enclosure& bounds, rounding mode) {
-    if (bits_of(bounds.upper) == 0) {
+[[nodiscard, gnu::always_inline]] constexpr inline T round_time(const event<N, U>& e, const enclosure& bounds,
+                                                                rounding mode) {
+    if (e.overlap) {
         return T(0);
     }
     if constexpr (std::numeric_limits<T>::digits < 40) { // the enclosure is hardly ever narrow enough for doubles
-        const T low = round_double<T>(bounds.lower, mode);
-        if (bits_of(low) == bits_of(round_double<T>(bounds.upper, mode))) {
+        const double upper = bounds.upper();
+        const T low = round_double<T>(bounds.lower(), mode);
+        if (bits_of(low) == bits_of(round_double<T>(upper, mode))) {
             return low;
         }
     }
     if (!std::is_constant_evaluated()) {
-        if (const auto fast = round_fast<T>(e, 0.5 * (bounds.lower + bounds.upper), mode)) {
+        if constexpr (is_rounded_by_doubles<U>) { // what nearly every time takes
+            if (mode == rounding::nearest && e.kind == event_kind::balls) [[likely]] {
+                return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
+            }
+        }
+        if (const auto fast = round_fast<T>(e, bounds.near, mode)) {
             return *fast;
         }
     }

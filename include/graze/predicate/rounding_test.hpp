@@ -39,7 +39,7 @@ inline constexpr double underflow = 0x1p-800;
 template <class T>
 [[nodiscard, gnu::always_inline]] inline bool agree(const ends<double>& x) noexcept {
     if constexpr (std::is_same_v<T, double>) {
-        return x.lower == x.upper;
+        return x.lower >= x.upper; // of ends in order, and of no NaN: for less than ==
     } else {
         return static_cast<T>(x.lower) == static_cast<T>(x.upper) && static_cast<T>(x.lower) != 0;
     }

@@ -28,7 +28,7 @@ template <int N, class T>
                                             [&](const auto& q) { return enclose(q, unit); });
             });
         });
-        e.pair.overlap = bits_of(bounds.upper) == 0; // they touch
+        e.pair.overlap = bounds.is_zero(); // they touch
         if (!e.pair.overlap) {
             return flight_time<N, T>(key, counted_from<T>(start, bounds), e);
         }
@@ -64,9 +64,11 @@ time_of_impact(const flight<N, T>& a, const flight<N, T>& b, Observer&& observer
             }
             // √D <= |h| <= √2 length·velocity, with the length of the filter.
             using constant = detail::flight_filter<N, T>;
-            const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
-                                                (constant::discriminant + 1.5 * constant::h) * f.scale);
-            if (what != encounter::overlap && bounds.upper < detail::enclosure::unknown) [[likely]] {
+            const double error_root = (constant::discriminant + 1.5 * constant::h) * f.scale;
+            const auto bounds = what != encounter::overlap && f.discriminant > 8 * error_root
+                                    ? detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2, error_root)
+                                    : detail::enclosure{};
+            if (bounds.is_known()) [[likely]] {
                 const auto start = static_cast<double>(detail::as_stored(a.since < b.since ? b.since : a.since));
                 return std::optional<flight_time<N, T>>(
                     std::in_place, detail::impact_time_key{}, detail::counted_from<T>(start, bounds),
@@ -92,8 +94,7 @@ requires is_binary_input<T>
     const detail::flight_event<N, T> e(detail::ball_and_plane<N>{}, f.state, p, detail::event_kind::plane, 0,
                                        what == encounter::overlap, f.since, f.since);
     if (!std::is_constant_evaluated() && what == encounter::hit) {
-        if (const auto bounds = detail::enclose_touch(f.state, p); bounds.upper < detail::enclosure::unknown)
-            [[likely]] {
+        if (const auto bounds = detail::enclose_touch(f.state, p); bounds.is_known()) [[likely]] {
             const auto start = static_cast<double>(detail::as_stored(f.since));
             return flight_time<N, T>(detail::impact_time_key{}, detail::counted_from<T>(start, bounds), e);
         }

@@ -13,7 +13,7 @@ namespace detail {
 
 // The time of an event with the enclosure that its exact quadratic gives.
 template <int N, class T>
-[[nodiscard]] constexpr impact_time<N, T> enclosed_exactly(const event<N, T>& e) {
+[[nodiscard]] constexpr impact_time<N, T> enclosed_exactly(event<N, T> e) {
     constexpr impact_time_key key{};
     if (e.overlap) {
         return impact_time<N, T>(key, enclosure{0, 0}, e);
@@ -28,7 +28,16 @@ template <int N, class T>
             return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) { return enclose(q, unit); });
         });
     });
+    e.overlap = bounds.is_zero(); // they touch
     return impact_time<N, T>(key, bounds, e);
+}
+
+// Of two balls that overlap.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>> time_of_overlap(const ball<N, T>& a,
+                                                                                        const ball<N, T>& b) {
+    return std::optional<impact_time<N, T>>(std::in_place, impact_time_key{}, enclosure{0, 0}, two_balls<N>{}, a, b,
+                                            event_kind::balls, 0, true);
 }
 
 // The time of two balls of which the filter is not certain, or is certain that they hit but not closely enough when.
@@ -53,23 +62,34 @@ requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
 time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
     if (!std::is_constant_evaluated()) {
-        if (const auto f = detail::filter_balls(a, b); f.certain) [[likely]] {
+        // Half of all pairs part; of the others a hit takes one branch, since what else is asked never differs.
+        const auto started = detail::start_filter(a, b);
+        if (started.is_parting()) {
             observer(stage::filter);
-            const encounter what = f.what();
-            if (!is_collision(what)) {
-                return std::nullopt;
-            }
-            using constant = detail::ball_filter<N, T>;
-            const bool overlap = what == encounter::overlap;
-            const auto bounds = overlap ? detail::enclosure{0, 0}
-                                        : detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2,
-                                                          (constant::discriminant + constant::h) * f.scale);
-            if (bounds.upper < detail::enclosure::unknown) [[likely]] {
+            return std::nullopt;
+        }
+        using constant = detail::ball_filter<N, T>;
+        const auto f = started.finish();
+        const double error_root = (constant::discriminant + constant::h) * f.scale;
+        if (detail::all_hold(f.certain, f.c > 0, f.discriminant > 8 * error_root)) {
+            observer(stage::filter);
+            const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2, error_root);
+            if (detail::has_error_free_doubles || bounds.is_known()) [[likely]] {
                 return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
                                                         detail::two_balls<N>{}, a, b, detail::event_kind::balls, 0,
-                                                        overlap);
+                                                        false);
             }
             return detail::time_of_impact_exactly(a, b);
+        }
+        if (f.certain) {
+            observer(stage::filter);
+            if (f.c < 0) {
+                return detail::time_of_overlap(a, b);
+            }
+            if (f.discriminant < 0) {
+                return std::nullopt;
+            }
+            return detail::time_of_impact_exactly(a, b); // nearly a graze
         }
     }
     auto time = detail::time_of_impact_exactly(a, b);

@@ -32,8 +32,8 @@ struct exact_mechanics {
     // The enclosure that the time was made with; one that is too wide to be of use is rounded from the exact time.
     [[nodiscard]] constexpr time_bounds bounds(const time& t) const {
         const detail::timed_enclosure& near = t.enclosure();
-        if (near.upper - near.lower <= near.upper * 0x1p-40) {
-            return {near.lower, near.upper};
+        if (near.last - near.first <= near.last * 0x1p-40) {
+            return {near.first, near.last};
         }
         return {static_cast<double>(t.lower()), static_cast<double>(t.upper())};
     }
