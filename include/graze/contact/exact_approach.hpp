@@ -47,24 +47,33 @@ template <class T, class Z, class A, class H, class D>
 template <class T, class M>
 class exact_approach {
     using Z = surd_integer_for<M>;
-    template <class F>
-    using value = decltype(F{}(std::declval<M>()));
-    using path_type = exact_path<T, Z, value<coefficient_a>, value<coefficient_h>>;
+    using quadratic_type = decltype(quadratic_of(std::declval<M>()));
+    using path_type = exact_path<T, Z, decltype(quadratic_type::a), decltype(quadratic_type::h)>;
 
   public:
     constexpr exact_approach(const M& m, scales units)
-        : m_(m), discriminant_(discriminant_lagrange{}(m)),
-          path(path_until<T, Z>(coefficient_a{}(m), coefficient_h{}(m), discriminant_, units)) {}
+        : m_(m), quadratic_(quadratic_of(m)), discriminant_(discriminant_halved{}(quadratic_)),
+          path(path_until<T, Z>(quadratic_.a, quadratic_.h, discriminant_, units)) {}
 
   private:
     const M& m_;
-    value<discriminant_lagrange> discriminant_;
+    quadratic_type quadratic_;
+    decltype(discriminant_halved{}(quadratic_)) discriminant_;
 
   public:
     path_type path;
 
+    template <class From = from_now>
+    [[nodiscard]] constexpr T time(const From& counted = {}) const {
+        if constexpr (std::is_same_v<From, from_now>) {
+            return round_root_from_now<T>(quadratic_, path.discriminant, path.units.time());
+        } else {
+            return path.time(counted);
+        }
+    }
+
     [[nodiscard]] constexpr T normal(int i) const {
-        return round_to<T>(across_[i], -m_.du[i], path.discriminant, path.a * m_.R, 0);
+        return round_to<T>(across(i), -m_.du[i], path.discriminant, path.a * m_.R, 0);
     }
 
     // What velocities are divided by; sum: of the masses.
@@ -75,13 +84,12 @@ class exact_approach {
     // Of the ball whose velocity was u. share: twice the other's mass, for ball b its negative.
     template <class I, class S, class R>
     [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const R& divisor) const {
-        return round_to<T>(divisor * u - share * (discriminant_ * m_.du[i]), share * across_[i], path.discriminant,
+        return round_to<T>(divisor * u - share * (discriminant_ * m_.du[i]), share * across(i), path.discriminant,
                            divisor, path.units.velocity);
     }
 
   private:
-    decltype(position_at(std::declval<path_type>().a * std::declval<M>().dx, std::declval<M>().du,
-                         -std::declval<path_type>().h)) across_ = position_at(path.a * m_.dx, m_.du, -path.h);
+    [[nodiscard]] constexpr auto across(int i) const { return path.a * m_.dx[i] - path.h * m_.du[i]; } // N
 };
 
 // Two centres inside each other and getting deeper: along the line between them, now.

@@ -43,7 +43,7 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     }
     const exact_approach<T, M> exact(e.relative, units);
     if (has_time(wanted)) {
-        c.time = exact.path.time(counted);
+        c.time = exact.time(counted);
     }
     fill(c.position_a, wanted, part::position_a,
          [&](int i) { return exact.path.position(e.position_a[i], e.velocity_a[i]); });

@@ -88,7 +88,7 @@ constexpr void round_corner(wall_contact<N, T>& c, parts wanted, encounter what,
     const auto relative = corner_motion(m);
     const exact_approach<T, std::remove_cvref_t<decltype(relative)>> exact(relative, units);
     if (has_time(wanted)) {
-        c.time = exact.path.time();
+        c.time = exact.time();
     }
     fill(c.position, wanted, wall_part::position, [&](int i) { return exact.path.position(x[i], m.u[i]); });
     if (graze::sign(m.r) != 0) {

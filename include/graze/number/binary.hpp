@@ -118,7 +118,8 @@ template <class T>
 // scale; bits that are zero in all significands are left out, so that small integers and numbers on a grid stay narrow.
 template <std::size_t K>
 struct lifted {
-    std::array<binary, K> stored{};
+    std::array<std::int64_t, K> significand; // not zeroed first: lift writes all of them
+    std::array<int, K> power;
     int lowest = 0; // the exponent of a significand that is not shifted
     int zeros = 0;  // below every significand
     int exponent = 0;
@@ -127,8 +128,7 @@ struct lifted {
     // Value i over 2^exponent, in an integer type of at least `width` bits.
     template <class I>
     [[nodiscard]] constexpr I get(std::size_t i) const noexcept {
-        const binary& x = stored[i];
-        return I::from_shifted(x.significand >> zeros, x.significand != 0 ? x.exponent - lowest : 0);
+        return I::from_shifted(significand[i] >> zeros, significand[i] != 0 ? power[i] - lowest : 0);
     }
 };
 
@@ -140,7 +140,9 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
     std::uint64_t any = 0;
     for (std::size_t i = 0; i < K; ++i) {
         const std::uint64_t order = order_of_magnitude(values[i]);
-        r.stored[i] = split(values[i]);
+        const binary x = split(values[i]);
+        r.significand[i] = x.significand;
+        r.power[i] = x.exponent;
         any |= order;
         high = order > high ? order : high;
         low = order - 1 < low ? order - 1 : low;

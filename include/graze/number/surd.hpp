@@ -69,6 +69,13 @@ template <int Bits>
     return sign_of_root_sum(p * unit - r * boundary, q * unit, d);
 }
 
+// The same of integers of any kind that Z holds.
+template <class Z>
+[[nodiscard, gnu::noinline]] constexpr int against_boundary(const Z& p, const Z& q, const Z& d, const Z& r,
+                                                            bool negative, int scale, std::uint64_t m, int exponent) {
+    return against_boundary(to_sparse(p), to_sparse(q), to_sparse(d), to_sparse(r), negative, scale, m, exponent);
+}
+
 // p + q√d where p and q√d cancel: (p² - q²d)/(p - q√d), the sum of whose denominator does not.
 template <int Bits>
 [[nodiscard]] constexpr leading estimate_by_norm(const sparse_integer<Bits>& p, const sparse_integer<Bits>& q,
@@ -109,8 +116,7 @@ template <class T, class Z>
     value = value / leading_of(r);
     value.exponent += scale;
     return round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
-        return against_boundary(to_sparse(p), to_sparse(q), to_sparse(d.value), to_sparse(r), value.negative, scale, m,
-                                exponent);
+        return against_boundary<Z>(p, q, d.value, r, value.negative, scale, m, exponent);
     });
 }
 
@@ -126,6 +132,24 @@ template <class T, class P, class Q, class Z, class R>
         return *certain;
     }
     return detail::round_by_sign<T, Z>(p, q, d, r, scale, mode);
+}
+
+// The same for p and q√d of different signs, where norm, (p² - q²d)/r, is known: it is norm/(p - q√d), which cancels
+// nothing.
+template <class T, class P, class Q, class Z, class R, class C>
+[[nodiscard]] constexpr T round_to_by_norm(const P& p, const Q& q, const radicand<Z>& d, const R& r, const C& norm,
+                                           int scale, rounding mode) {
+    detail::leading value = detail::leading_of(norm);
+    if (value.significand == 0) {
+        return detail::from_bits<T>(0, false);
+    }
+    detail::leading second = detail::leading_of(q) * d.root;
+    second.negative = !second.negative;
+    value = value / (detail::leading_of(p) + second);
+    value.exponent += scale;
+    return detail::round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
+        return detail::against_boundary<Z>(p, q, d.value, r, value.negative, scale, m, exponent);
+    });
 }
 
 } // namespace graze

@@ -25,8 +25,8 @@ struct enclosure {
 
     [[nodiscard]] constexpr bool is_known() const noexcept { return error < unknown; }
     [[nodiscard]] constexpr bool is_zero() const noexcept { return (bits_of(near) | bits_of(error)) == 0; }
-    [[nodiscard]] constexpr double lower() const noexcept { return near - error; }
-    [[nodiscard]] constexpr double upper() const noexcept { return near + error; }
+    [[nodiscard]] constexpr double lower() const noexcept { return as_stored(near - error); }
+    [[nodiscard]] constexpr double upper() const noexcept { return as_stored(near + error); }
 };
 
 // At least 1/x and at most 9/8 of it, for less than a division: of x = 2^e (1 + f) it is 2^-e (1 - f/2), and (1 + f)(1

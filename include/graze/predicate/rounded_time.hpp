@@ -44,6 +44,13 @@ template <class T, class Z, class A, class H, class From = from_now>
     return round_to<T>(counted(-h, a), Z(-1), discriminant, a, unit, mode);
 }
 
+// The same for h < 0 and c >= 0, as c/(-h + √D).
+template <class T, class Z, class Q>
+[[nodiscard]] constexpr T round_root_from_now(const Q& q, const radicand<Z>& discriminant, int unit,
+                                              rounding mode = rounding::nearest) {
+    return round_to_by_norm<T>(-q.h, Z(-1), discriminant, q.a, q.c, unit, mode);
+}
+
 // When a ball that approaches a plane touches it, (33) completed: (|w·n| - r √(n·n))/|u·n|.
 template <class T, class Z, class M, class From = from_now>
 [[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<Z>& normal, int unit,
@@ -58,8 +65,13 @@ template <class T, class Z, class M, class From = from_now>
 // The same of the centres' distance: balls, or a ball and a corner.
 template <class T, class M, class From = from_now>
 [[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
-    const radicand<surd_integer_for<M>> d(discriminant_lagrange{}(m));
-    return round_root<T>(coefficient_a{}(m), coefficient_h{}(m), d, unit, mode, counted);
+    const auto q = quadratic_of(m);
+    const radicand<surd_integer_for<M>> d(discriminant_halved{}(q));
+    if constexpr (std::is_same_v<From, from_now>) {
+        return round_root_from_now<T>(q, d, unit, mode);
+    } else {
+        return round_root<T>(q.a, q.h, d, unit, mode, counted);
+    }
 }
 
 // Of an event of a wall.
