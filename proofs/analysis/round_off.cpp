@@ -102,6 +102,25 @@ constexpr bool time_is_within(const std::array<int, 7>& x) {
 static_assert(time_is_within(meeting[0]) && time_is_within(meeting[1]) && time_is_within(meeting[2]) &&
               time_is_within(meeting[3]) && time_is_within(meeting[4]));
 
+// staged.hpp takes an error of two balls to be linear in R²: it is what error_bound says of each radius.
+template <class F>
+constexpr bool is_linear_in_square_of_radius() {
+    using bound = basic_error_bound<53>;
+    for (const double r : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const double direct = F{}(relative_motion{bounded_vector<3>(bound::rounded_input({1, 0, 0})),
+                                                  bounded_vector<3>(bound::rounded_input({0, 1, 0})),
+                                                  bound(r, r * bound::rounded_input({1, 0, 0}).error, {1, 0, 0})})
+                                  .error;
+        const double taken = bounds::error_of_balls<F, 3, 53>.at(r * r);
+        if (!(taken >= direct && taken <= direct * (1 + 0x1p-40))) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(is_linear_in_square_of_radius<coefficient_c>() && is_linear_in_square_of_radius<coefficient_h>() &&
+              is_linear_in_square_of_radius<discriminant_lagrange>() && is_linear_in_square_of_radius<halved>());
+
 // The crossing of a plane: whether the ball cuts it, and when it touches it, |u·n| >= 2^-6 |u||n|.
 template <class T>
 constexpr plane_motion<3, T, T, T, T> crossing(const std::array<int, 10>& x) {

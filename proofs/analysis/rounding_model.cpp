@@ -37,7 +37,8 @@ struct worst_case {
     template <class Op>
     constexpr worst_case(const std::array<bound, 3>& in, int roundings, Op op) {
         const double u = bound::unit;
-        // A sign of each operand but the first, of each error and of the rounding: all operations are odd in it.
+        // A sign of each operand but the first (that of all three together is the result's), of each error and of the
+        // rounding.
         for (int choice = 0; choice < 128; choice += 2) {
             const auto sign = [&](int bit) { return (choice >> bit & 1) != 0 ? -1.0 : 1.0; };
             double computed[3], exact[3];
@@ -61,16 +62,16 @@ struct worst_case {
 };
 
 using degrees = error_bound::degrees;
-constexpr degrees of_length{1, 0, 0}, of_speed{0, 1, 2}, of_both{1, 1, 2};
+constexpr degrees of_x{1, 2, 3}, of_y{3, 1, 2}, of_both{4, 3, 5};
 
 template <int Digits>
 constexpr bool error_bounds(double m, double e, double n, double f) {
     using bound = basic_error_bound<Digits>;
     using worst = worst_case<Digits>;
     using traits = number_traits<bound>;
-    const bound x{m, e, of_length};
-    const bound y{n, f, of_speed};
-    const bound t{n, f, of_length};
+    const bound x{m, e, of_x};
+    const bound y{n, f, of_y};
+    const bound t{n, f, of_x};
     const bound z{f, m, of_both};
     const auto plus = [](double a, double b, double) { return a + b; };
     const auto times = [](double a, double b, double) { return a * b; };
@@ -78,33 +79,33 @@ constexpr bool error_bounds(double m, double e, double n, double f) {
     const auto twofold = [](double a, double, double) { return 2 * a; };
     const auto muladd = [](double a, double b, double c) { return a * b + c; };
     const bound fused = traits::fma(x, y, z);
-    return worst({x, t, z}, 1, plus).is_bounded_by(x + t, 1) && (x + t).degree == of_length &&
-           worst({x, t, z}, 1, plus).is_bounded_by(x - t, 1) && (x - t).degree == of_length &&
+    return worst({x, t, z}, 1, plus).is_bounded_by(x + t, 1) && (x + t).degree == of_x &&
+           worst({x, t, z}, 1, plus).is_bounded_by(x - t, 1) && (x - t).degree == of_x &&
            worst({x, y, z}, 1, times).is_bounded_by(x * y, 1) && (x * y).degree == of_both &&
            worst({x, y, z}, 1, muladd).is_bounded_by(fused, 1) && fused.degree == of_both &&
-           worst({x, y, z}, 0, twofold).is_bounded_by(traits::twice(x), 0) && traits::twice(x).degree == of_length &&
-           worst({x, y, z}, 0, same).is_bounded_by(-x, 0) && (-x).degree == of_length;
+           worst({x, y, z}, 0, twofold).is_bounded_by(traits::twice(x), 0) && traits::twice(x).degree == of_x &&
+           worst({x, y, z}, 0, same).is_bounded_by(-x, 0) && (-x).degree == of_x;
 }
 // N roundings on the way of the first product, which may be all there is.
 template <int N, int Digits>
 constexpr bool products_of_vectors(double m, double e, double n, double f) {
     using bound = basic_error_bound<Digits>;
     using traits = number_traits<bound>;
-    const bound x{m, e, of_length};
-    const bound y{n, f, of_speed};
+    const bound x{m, e, of_x};
+    const bound y{n, f, of_y};
     const auto times = [](double a, double b, double) { return a * b; };
     const bound inner = traits::dot(bounded_vector<N>(x), bounded_vector<N>(y));
     const bound square = traits::squared_norm(bounded_vector<N>(x));
     return worst_case<Digits>({x, y, y}, N, times).is_bounded_by(inner, N) && inner.degree == of_both &&
-           worst_case<Digits>({x, x, y}, N, times).is_bounded_by(square, N) && square.degree == degrees{2, 0, 0};
+           worst_case<Digits>({x, x, y}, N, times).is_bounded_by(square, N) && square.degree == degrees{2, 4, 6};
 }
 // What two roundings do to a component, and what in space they do to the vector: √2 times that, see below.
 template <int Digits>
 constexpr bool cross_products(double m, double e, double n, double f) {
     using bound = basic_error_bound<Digits>;
     using traits = number_traits<bound>;
-    const bound x{m, e, of_length};
-    const bound y{n, f, of_speed};
+    const bound x{m, e, of_x};
+    const bound y{n, f, of_y};
     const auto times = [](double a, double b, double) { return a * b; };
     const bound in_plane = traits::cross(bounded_vector<2>(x), bounded_vector<2>(y));
     const vec<3, bound> in_space = traits::cross(bounded_vector<3>(x), bounded_vector<3>(y));
@@ -133,16 +134,21 @@ constexpr bool all_error_bounds() {
 }
 static_assert(all_error_bounds<5>(), "in which terms of second order count");
 static_assert(all_error_bounds<11>(), "in which a bound has little to spare");
+// Of more roundings than these formulas take: (17/16)^8 - 1 in units of 1/16.
+constexpr double eighth_power = 17. * 17 * 17 * 17 * 17 * 17 * 17 * 17 / 0x1p32;
+static_assert(bounds_closely(detail::rounded<5>(1, 0, 1, 8, of_x).error, (eighth_power - 1) * 16, 2));
 
+static_assert(error_bound().magnitude == 0 && error_bound().error == 0);
+static_assert(error_bound_slack - 1 >= 0x1p12 * 0x1p-53, "the compiler's own roundings, of 2^12 operations");
 static_assert(error_bound(-3).magnitude == 3 && error_bound(2).magnitude == 2 && error_bound(2).error == 0);
 static_assert(number_traits<error_bound>::sign(error_bound(0)) == 0);
-static_assert(number_traits<error_bound>::sign(error_bound::exact_input(of_length)) == 1);
-static_assert(bounds_closely(basic_error_bound<5>::rounded_input(of_speed).error * (1 - 0x1p-4), 1, 1) &&
-              basic_error_bound<5>::rounded_input(of_speed).magnitude == 1 &&
-              basic_error_bound<5>::rounded_input(of_speed).degree == of_speed &&
-              error_bound::exact_input(of_speed).degree == of_speed && error_bound::exact_input(of_speed).error == 0);
-static_assert(known<decltype([] { return (error_bound(1, 1, of_speed) + error_bound(1, 1, of_speed)).degree[2]; })>);
-static_assert(!known<decltype([] { return (error_bound(1, 1, of_speed) + error_bound(1, 1, of_both)).degree[2]; })>);
+static_assert(number_traits<error_bound>::sign(error_bound::exact_input(of_x)) == 1);
+static_assert(bounds_closely(basic_error_bound<5>::rounded_input(of_y).error * (1 - 0x1p-4), 1, 1) &&
+              basic_error_bound<5>::rounded_input(of_y).magnitude == 1 &&
+              basic_error_bound<5>::rounded_input(of_y).degree == of_y &&
+              error_bound::exact_input(of_y).degree == of_y && error_bound::exact_input(of_y).error == 0);
+static_assert(known<decltype([] { return (error_bound(1, 1, of_y) + error_bound(1, 1, of_y)).degree[2]; })>);
+static_assert(!known<decltype([] { return (error_bound(1, 1, of_y) + error_bound(1, 1, of_both)).degree[2]; })>);
 
 // The norms of products of vectors, of components that are not negative: |x||y| bounds Σ x_i y_i, by what is left out,
 // and Σ|x_j y_k| + |x_k y_j| in the plane, √2 |x||y| the vector of these in space.

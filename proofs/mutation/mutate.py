@@ -28,7 +28,7 @@ ABOUT = {
     "relative_motion": ["formula/discriminant"], "quadratic": ["formula/discriminant"],
     "discriminant": ["formula/discriminant"], "roots": ["formula/roots"], "root_order": ["formula/root_order"],
     "contact": ["formula/contact"], "impulse": ["formula/impulse"], "plane_crossing": ["formula/plane_crossing"],
-    "wall_features": ["formula/wall_features"],
+    "wall_features": ["formula/wall_features", "formula/slanted_wall"],
     "wall_encounter": ["formula/wall_encounter", "formula/slanted_wall", "formula/solve_wall", "formula/wall_features",
                        "predicate/wall_scenes"],
     "encounter": ["formula/encounter"], "solution": ["predicate/scenes", "formula/errata"],

@@ -217,6 +217,8 @@ static_assert(*time_of_impact(passing(7 + 4 * ulp), still) < *time_of_impact(pas
 static_assert(*time_of_impact(passing(8), still) < *time_of_impact(passing(7 + 4 * ulp), still));
 static_assert(*time_of_impact(passing(90), still) == 0.0, "inside: now");
 static_assert(*time_of_impact(passing(90), still) == *time_of_impact(passing(80), still), "and no earlier");
+constexpr auto touching = *time_of_impact(ball<2>{{13, 0}, {-1, 0}, 7}, still);
+static_assert(*time_of_impact(passing(90), still) == touching && touching == *time_of_impact(passing(90), still));
 
 // 10. overlap is what overlaps and does not recede.
 struct overlap_now {
