@@ -42,7 +42,8 @@ template <int N, class T>
 }
 
 template <int N, class T>
-[[nodiscard]] constexpr auto rounded_motion(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+[[nodiscard, gnu::always_inline]] constexpr inline auto rounded_motion(const ball<N, T>& a,
+                                                                       const ball<N, T>& b) noexcept {
     using D = difference_type<T>;
     const auto m = relative_motion_of(ball<N, D>{wide(a.position), wide(a.velocity), wide(a.radius)},
                                       ball<N, D>{wide(b.position), wide(b.velocity), wide(b.radius)});
