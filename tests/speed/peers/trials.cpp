@@ -7,6 +7,7 @@
 #include <families/families.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace peers {
 
@@ -117,6 +118,19 @@ bool is_asked(const scene<N>& s, bool parting) {
     return moves;
 }
 
+// Whether what is touched first is a side, and not an edge or a corner, of the box.
+template <int N>
+bool meets_a_side(const scene<N>& s) {
+    std::optional<oracle::answer> first;
+    for (const auto& w : s.walls) {
+        const auto met = oracle::meet(s.a, w);
+        if (met.time && (!first || oracle::compare(*met.time, *first->time) < 0)) {
+            first = met;
+        }
+    }
+    return first && first->face;
+}
+
 template <int N>
 void add(trial& t, const scene<N>& s, const question& q) {
     std::get<scenes<N>>(t.exactly).all.push_back(s);
@@ -142,12 +156,12 @@ trial from_family(const char* name, const char* family_name, int hardness, std::
 
 template <int N>
 trial from_boxes(const char* name, thing what, approach how, int k, std::uint64_t seed, std::size_t count,
-                 const char* description) {
+                 const char* description, bool sides_only = false) {
     trial t{name, description, what, scenes<N>{}, {}, {}, {}};
     for (std::uint64_t index = 0; t.questions.size() < count; ++index) {
         const auto m = draw_box<N>(how, k, what == thing::edge, seed, index);
         const auto s = scene_of<N>(m);
-        if (is_asked(s, how == approach::parting)) {
+        if (is_asked(s, how == approach::parting) && (!sides_only || meets_a_side(s))) {
             add(t, s, question_of<N>(what, s, m));
         }
     }
@@ -155,6 +169,7 @@ trial from_boxes(const char* name, thing what, approach how, int k, std::uint64_
 }
 
 constexpr const char* of_generic = "nothing is hard but the rounding";
+constexpr const char* of_side = "the same, of what touches a side first and not an edge or a corner";
 constexpr const char* of_grazing = "the least distance is that of contact but for 2^-46 of it";
 constexpr const char* of_far = "about 2^27 radii apart";
 constexpr const char* of_near = "the gap is 2^-40 of the radius";
@@ -172,6 +187,9 @@ void add_balls(std::vector<trial>& all, std::uint64_t seed, std::size_t count) {
 template <int N>
 void add_boxes(std::vector<trial>& all, thing what, std::uint64_t seed, std::size_t count) {
     all.push_back(from_boxes<N>("generic", what, approach::generic, 0, seed, count, of_generic));
+    if (N == 3) {
+        all.push_back(from_boxes<N>("generic side", what, approach::generic, 0, seed, count, of_side, true));
+    }
     all.push_back(from_boxes<N>("grazing", what, approach::grazing, grazing_bits, seed, count, of_grazing));
     all.push_back(from_boxes<N>("far", what, approach::far, far_bits, seed, count, of_far));
     all.push_back(from_boxes<N>("near contact", what, approach::near_contact, near_bits, seed, count, of_near));
