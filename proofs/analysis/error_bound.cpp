@@ -72,5 +72,9 @@ static_assert(known<decltype([] { return sign_of<range_bound<>>(0x1p-40, 1, 4095
 static_assert(!known<decltype([] { return sign_of<range_bound<>>(0x1p-40, 1, 4096); })>);
 static_assert(!known<decltype([] { return sign_of<range_bound<>>(-1, 1, 0); })>);
 static_assert(!known<decltype([] { return sign_of<range_bound<>>(0, 1, 0); })>);
+static_assert(!known<decltype([] { return sign_of<range_bound<>>(-1, 0, 0); })>);
+static_assert(known<decltype([] { return sign_of<range_bound<>>(-1, -0x1p-40, 4095); })>);
+static_assert(!known<decltype([] { return sign_of<range_bound<>>(-1, -0x1p-40, 4096); })>);
+static_assert(!known<decltype([] { return sign_of<range_bound<>>(0, 0, 0.5); })>);
 
 } // namespace

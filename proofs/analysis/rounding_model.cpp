@@ -273,6 +273,9 @@ static_assert(!known<decltype([] { return quotient_by(0x1p-40, 1, 4096); })> &&
               !known<decltype([] { return quotient_by(-1, -0x1p-40, 4096); })> &&
               !known<decltype([] { return root_of(0x1p-40, 4096); })>);
 
+static_assert(range_bound<>().low == 0 && range_bound<>().high == 0 && range_bound<>().error == 0);
+static_assert(range_bound<>::exact_input().low == -1 && range_bound<>::exact_input().high == 1 &&
+              range_bound<>::exact_input().error == 0);
 static_assert(range_bound<>(-3, 2, 1).magnitude() == 3 && range_bound<>(-1, 2, 1).magnitude() == 2);
 static_assert(range_bound<>(-3).low == -3 && range_bound<>(-3).high == -3 && range_bound<>(-3).error == 0);
 constexpr auto narrowed = range_bound<>(-3, 2, 1).within(-1, 4);
