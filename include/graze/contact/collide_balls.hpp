@@ -20,6 +20,12 @@ struct two_massive_balls {
         decltype(lift_row<two_balls<N>>(std::array<double, two_balls<N>::lengths + two_balls<N>::velocities>{})) pair;
         lifted<2> mass;
 
+        // A constructor, since an aggregate would be zeroed first.
+        template <class Row, class T>
+        constexpr inputs(const Row& row, const T (&masses)[2]) noexcept : pair(lift_row<two_balls<N>>(row)) {
+            lift(mass, masses);
+        }
+
         [[nodiscard]] constexpr int width() const noexcept { return std::max(pair.width(), mass.width); }
     };
 
@@ -80,9 +86,8 @@ template <class U, class T>
 template <int N, class T>
 [[gnu::noinline]] constexpr void complete(contact<N, T>& c, parts wanted, encounter what, const ball<N, T>& a,
                                           const ball<N, T>& b) {
-    typename two_massive_balls<N>::inputs in{lift_row<two_balls<N>>(packed<two_balls<N>>(a, b)), {}};
     const T masses[2] = {effective_mass<T>(a.mass, b.mass), effective_mass<T>(b.mass, a.mass)};
-    lift(in.mass, masses);
+    const typename two_massive_balls<N>::inputs in(packed<two_balls<N>>(a, b), masses);
     const scales s{in.pair.length.exponent, in.pair.velocity.exponent};
     with_exact_motion<two_massive_balls<N>>(in, [&](const auto& e) { round_balls(c, wanted, what, e, s); });
 }
