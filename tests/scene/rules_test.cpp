@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace {
 
@@ -217,6 +218,42 @@ TEST_CASE("other states are checked, and a run goes on from them as from a start
     std::uint64_t told = 0;
     mirror.advance({.events = 10}, [&](const graze::run_event<plain>& e) { told += e.who.a == 2 ? 1 : 0; });
     CHECK(told == 0);
+}
+
+TEST_CASE("states of the last event's time are taken as it was rounded, and what touches then is not lost") {
+    using floats = graze::exact_mechanics<2, float>;
+    std::mt19937_64 random(5);
+    const auto between = [&](int low, int high) {
+        return static_cast<float>(low) +
+               static_cast<float>(high - low) * std::ldexp(static_cast<float>(random() >> 40), -24);
+    };
+    int earlier = 0; // so often the time was rounded down
+    for (int i = 0; i < 50; ++i) {
+        const std::vector<graze::ball<2, float>> two = {{{{between(-9, -5), 0}}, {{between(1, 2), 0}}, 1, 1},
+                                                        {{{between(5, 9), 0}}, {{between(-2, -1), 0}}, 1, 1}};
+        graze::run<floats> run(graze::scene<2, float>{two, {}, {}});
+        bool rounded_down = false;
+        run.advance({}, [&](const graze::run_event<floats>& e) { rounded_down = e.when > e.after_a.since; });
+        earlier += rounded_down ? 1 : 0;
+        run.restate([](int, graze::flight<2, float> f) { // back into each other
+            f.state.position[0] *= 0.5F;
+            f.state.velocity[0] = -f.state.velocity[0];
+            return f;
+        });
+        CHECK(run.advance({}).events == 1);
+    }
+    CHECK(earlier > 10);
+}
+
+TEST_CASE("a cascade is over when other states are given") {
+    const balls three = {
+        {{{-2, 0}}, {{1, 0}}, 1, infinite}, {{{2, 0}}, {{-1, 0}}, 1, infinite}, {{{0, 0}}, {{0, 0}}, 1.5, 1}};
+    graze::run<plain> run(graze::scene<2>{three, {}, {}});
+    CHECK(run.advance({}).why == graze::ending::cascade);
+    run.restate([](int i, graze::flight<2> f) {
+        return i == 2 ? graze::flight<2>{{{{-2, 2}}, {{0, -1}}, 1.5, 1}, f.since} : f; // into one of the mirrors
+    });
+    CHECK(run.advance({.events = 1}).events == 1);
 }
 
 TEST_CASE("a point that is put on the other side of what it left is there") {

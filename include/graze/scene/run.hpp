@@ -4,7 +4,9 @@
 #include <graze/scene/forecast.hpp>
 #include <graze/scene/outcome.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <sstream>
 #include <string>
 
@@ -103,11 +105,15 @@ class run {
             if (const char* fault = fault_of_state(a, other)) {
                 throw std::domain_error("ball " + std::to_string(scene().name(a)) + ": " + fault);
             }
+            if (!scene()[a].immovable) {
+                changed.now_ = std::min(changed.now_, scene().rules().about(other).since);
+            }
             changed.forecast_.scene().restate(a, std::move(other));
         }
         changed.due_.clear();
         changed.next_ = 0;
-        changed.forecast_.predict_all(now_);
+        changed.still_ = 0;
+        changed.forecast_.predict_all(changed.now_);
         *this = std::move(changed);
     }
 
@@ -125,6 +131,15 @@ class run {
         }
     }
 
+    // Not after the time of the last event as a state has it, which may be rounded to a float.
+    [[nodiscard]] double now_of_states() const {
+        if constexpr (std::floating_point<number>) {
+            return std::min(now_, static_cast<double>(static_cast<number>(now_)));
+        } else {
+            return now_;
+        }
+    }
+
     // What is wrong with another state of ball a, or nullptr, by its roundings to doubles. Those of two equal times
     // differ by no more than 2^-49 of them.
     [[nodiscard]] const char* fault_of_state(body a, const state& other) const {
@@ -135,7 +150,7 @@ class run {
                : !detail::is_finite_input(is.since)    ? "time is not finite"
                : is.state.radius != was.state.radius   ? "radius is another one"
                : is.state.mass != was.state.mass       ? "mass is another one"
-               : !scene()[a].immovable && is.since + std::fabs(is.since) * 0x1p-48 < now_
+               : !scene()[a].immovable && is.since + std::fabs(is.since) * 0x1p-48 < now_of_states()
                    ? "state is earlier than the last event"
                    : nullptr;
     }
