@@ -21,6 +21,12 @@ template <class F, class B>
 [[nodiscard]] consteval error_bound::degrees filter_degrees(F f, const B& bounds) {
     return f(bounds).degree;
 }
+// Whether those are a, b and c. (The == of two arrays is not constant in the debug mode of libstdc++ 12.)
+template <class F, class B>
+[[nodiscard]] consteval bool has_degrees(F f, const B& bounds, int a, int b, int c) {
+    const error_bound::degrees d = f(bounds).degree;
+    return d[0] == a && d[1] == b && d[2] == c;
+}
 
 namespace detail {
 

@@ -33,9 +33,9 @@ struct flight_filter {
     static constexpr double c = filter_constant(coefficient_c{}, flight_bounds<N, T>::value());
     static constexpr double discriminant = filter_constant(halved_of_motion{}, flight_bounds<N, T>::value());
 
-    static_assert(filter_degrees(coefficient_h{}, flight_bounds<N, T>::value()) == error_bound::degrees{1, 1, 0});
-    static_assert(filter_degrees(coefficient_c{}, flight_bounds<N, T>::value()) == error_bound::degrees{2, 0, 0});
-    static_assert(filter_degrees(halved_of_motion{}, flight_bounds<N, T>::value()) == error_bound::degrees{2, 2, 0});
+    static_assert(has_degrees(coefficient_h{}, flight_bounds<N, T>::value(), 1, 1, 0));
+    static_assert(has_degrees(coefficient_c{}, flight_bounds<N, T>::value(), 2, 0, 0));
+    static_assert(has_degrees(halved_of_motion{}, flight_bounds<N, T>::value(), 2, 2, 0));
     static_assert(discriminant > 2 * h * h && discriminant > 2 * c, "one constant must serve all three signs");
 };
 
