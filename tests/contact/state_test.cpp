@@ -113,3 +113,22 @@ TEST_CASE("contacts do not depend on the state of the floating-point unit") {
         }
     }
 }
+
+// τ = x - y - R with a subnormal y, just before the middle between two floats: where y is read as 0 it is the later
+// one.
+TEST_CASE("a subnormal float takes part in a time where subnormals count as zero") {
+    const graze::ball<2, float> a{{0x1p-90F + 0x1p-103F, 0}, {-1, 0}, 0x1p-90F, 1};
+    const graze::ball<2, float> b{{0x1p-128F + 0x1p-149F, 0}, {0, 0}, 0, 1};
+    for (const bool flush : {false, true}) {
+        if (flush && !can_flush()) {
+            continue;
+        }
+        save_state();
+        const bool set = set_state(rounding::nearest, flush);
+        const auto time = static_cast<float>(answers::of(a, b).time.value());
+        restore_state();
+        REQUIRE(set);
+        CAPTURE(flush);
+        CHECK(time == 0x1.fffffep-104F);
+    }
+}

@@ -122,10 +122,11 @@ template <class T, int N, class U>
 
 // The time of two balls that do not overlap, near `time`, rounded to nearest: by doubles if that leaves no doubt.
 //
-// Of the environment the rounding direction matters alone. Where subnormals are read or written as zeros, an operation
-// loses at most 2^-1022, and R and t0 times that (below 2^201 each) go into |y|² - R²: less than 2^-700, while the
-// error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result of which these bounds leave no doubt is
-// no subnormal double; a float that is one is compared with zero, and in doubt where it is read as that.
+// Of the environment the rounding direction matters alone where the inputs become doubles as they are. Where subnormals
+// are read or written as zeros, an operation loses at most 2^-1022, and R and t0 times that (below 2^201 each) go into
+// |y|² - R²: less than 2^-700, while the error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result of
+// which these bounds leave no doubt is no subnormal double; a float that is one is compared with zero, and in doubt
+// where it is read as that. An input that is a subnormal float, up to 2^-126, must not be read as zero.
 template <class T, int N, class U>
 struct nearest_time {
     const event<N, U>* e;
@@ -135,7 +136,8 @@ struct nearest_time {
     [[nodiscard, gnu::always_inline]] T operator()(std::bool_constant<Fused> fused) const {
         const auto found = time_by_doubles<N, U>{e->row.data(), time}(fused);
         const ends<double> interval = ends_of<T>(found.time);
-        if (all_hold(found.good, agree<T>(interval), adds_to_nearest())) [[likely]] {
+        const bool to_nearest = std::is_same_v<U, float> ? rounds_to_nearest() : adds_to_nearest();
+        if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
             return static_cast<T>(interval.upper);
         }
         return round_exactly<T>(*e, rounding::nearest);
