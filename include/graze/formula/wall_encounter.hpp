@@ -97,7 +97,7 @@ class wall_decision {
             const bool low1 = signs_(base, side_height<1, 0>{}) < 0;
             const bool high1 = signs_(base, side_height<1, 1>{}) > 0;
             const bool outside[4] = {low0, high0, low1, high1};
-            for (int i = 0; i < 4; ++i) {
+            for (int i = 0; i < 4; ++i) { // beyond which, and beside it
                 const wall_view view = edge_view(i);
                 if (outside[i] && signs_(view, edge_foot<0>{}) >= 0 && signs_(view, edge_foot<1>{}) <= 0) {
                     return {feature::edge, i};
