@@ -102,7 +102,7 @@ static_assert(exact_in<double>(coefficient_h{}, balls<2>(bit_width::of(26), bit_
 
 // Each bit of a length or a velocity costs two bits of D; Lagrange's form is the narrowest.
 static_assert(bits_to_decide<2>({13, 10}) == 53 && bits_to_decide<2>({14, 10}) == 55 &&
-              bits_to_decide<2>({13, 11}) == 55);
+              bits_to_decide<2>({13, 11}) == 55 && bits_to_decide<2>({10, 13}) == 53);
 static_assert(exact_in<double, 2>({13, 10}) && !exact_in<double, 2>({14, 10}) && exact_in<std::int64_t, 2>({14, 14}));
 static_assert(!exact_in<double, 2, variant::halved>({13, 10}));
 static_assert(bits_to_decide<3>({12, 10}) < bits_to_decide<3, variant::halved>({12, 10}) &&

@@ -87,7 +87,7 @@ static_assert(inside.what == encounter::overlap && inside.time == surd(0) && squ
 constexpr wall<3, rational> square{{{5, -3, -3}}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};
 constexpr auto corner = solve(exact_ball<3>{{{0, 4, 4}}, {{2, 0, 0}}, 2}, square);
 static_assert(corner.what == encounter::hit && corner.where == feature::corner && corner.index == 3);
-static_assert(corner.point == vec<3, surd>{{5, 3, 3}} && sign(corner.time.q()) != 0);
+static_assert(corner.point == vec<3, surd>{{5, 3, 3}} && sign(corner.time.q()) != 0 && corner.discriminant == 8);
 static_assert(squared_norm(corner.position - corner.point) == surd(4) && squared_norm(corner.normal) == surd(1));
 static_assert(squared_norm(corner.velocity) == surd(4) &&
               dot(corner.velocity, corner.normal) == -surd(2) * corner.normal[0]);
@@ -96,6 +96,7 @@ constexpr auto edge = solve(exact_ball<3>{{{0, 4, 1}}, {{2, 0, 1}}, 2}, square);
 static_assert(edge.what == encounter::hit && edge.where == feature::edge && edge.index == 1);
 static_assert(edge.point[0] == surd(5) && edge.point[1] == surd(3) && edge.point[2] == edge.position[2] &&
               edge.normal[2] == surd(0) && sign(edge.time.q()) != 0);
+static_assert(edge.discriminant == 12 * 36 * 36, "of distances across the edge, whose square is 36, it is 12");
 static_assert(squared_norm(edge.position - edge.point) == surd(4) && squared_norm(edge.velocity) == surd(5) &&
               edge.velocity[2] == surd(1));
 

@@ -32,7 +32,7 @@ struct wall_solution {
     encounter what{};
     feature where = feature::face;
     int index = 0;     // as in wall_encounter
-    T discriminant{0}; // of an edge (times e·e) or a corner
+    T discriminant{0}; // of an edge's quadratic (a = |u × e|²) or a corner's
     real time{0};
     vec<N, real> position{}, point{}, normal{}, velocity{};
 };
