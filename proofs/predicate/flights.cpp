@@ -45,7 +45,73 @@ static_assert(bounce.time == 3.5 && bounce.position_a == vec<2, double>{{2, 0.25
 static_assert(bounce.velocity_a == vec<2, double>{{-1, 0}} && bounce.velocity_b == vec<2, double>{{0, 0}});
 static_assert(bounce.normal == vec<2, double>{{-1, 0}});
 
-// Law 7: flights of one since do what their balls do. Law 8: clocks may be set otherwise.
+// The laws of classify_balls.hpp, on an exact tangent, a hit, a miss and an overlap of different epochs.
+constexpr bool same(const flight<2>& a, const flight<2>& b, const flight<2>& c, const flight<2>& d) {
+    const auto x = time_of_impact(a, b);
+    const auto y = time_of_impact(c, d);
+    return classify(a, b) == classify(c, d) && overlaps(a, b) == overlaps(c, d) && x.has_value() == y.has_value() &&
+           (!x || *x == *y);
+}
+template <class F>
+constexpr flight<2> each(flight<2> f, F change) {
+    change(f);
+    return f;
+}
+static_assert(pass(0.5, 9.5) == encounter::overlap);
+template <class Law>
+constexpr bool of_passes = Law{}(mover(2), target(3)) && Law{}(mover(2 - ulp), target(3)) &&
+                           Law{}(mover(2 + 2 * ulp), target(3)) && Law{}(mover(0.5), target(9.5));
+// 1. Axes permuted and mirrored. 2. Exchanged.
+struct axes_and_order {
+    constexpr bool operator()(const flight<2>& a, const flight<2>& b) const {
+        const auto turn = [](flight<2>& f) {
+            f.state.position = {{f.state.position[1], -f.state.position[0]}};
+            f.state.velocity = {{f.state.velocity[1], -f.state.velocity[0]}};
+        };
+        const auto mirrored = [](flight<2>& f) {
+            f.state.position[0] = -f.state.position[0];
+            f.state.velocity[0] = -f.state.velocity[0];
+        };
+        return same(a, b, each(a, turn), each(b, turn)) && same(a, b, each(a, mirrored), each(b, mirrored)) &&
+               same(a, b, b, a);
+    }
+};
+static_assert(of_passes<axes_and_order>);
+// 3. Lengths and times scaled, and with the times every since.
+struct scaling {
+    constexpr bool operator()(const flight<2>& a, const flight<2>& b) const {
+        const auto longer = [](flight<2>& f) {
+            f = {{8.0 * f.state.position, 4.0 * f.state.velocity, 8 * f.state.radius}, 2 * f.since};
+        };
+        const auto x = time_of_impact(a, b);
+        const auto y = time_of_impact(each(a, longer), each(b, longer));
+        return classify(a, b) == classify(each(a, longer), each(b, longer)) && x.has_value() == y.has_value() &&
+               (!x || ((*x <=> 9.5) == (*y <=> 19.0) && (*x <=> 11.0) == (*y <=> 22.0)));
+    }
+};
+static_assert(of_passes<scaling>);
+// 4. Another frame, in which what starts later has moved by then; and elsewhere.
+struct frame {
+    constexpr bool operator()(const flight<2>& a, const flight<2>& b) const {
+        const auto moving = [](flight<2>& f) {
+            f.state.position[0] = f.state.position[0] + 64 - 4 * f.since;
+            f.state.velocity[0] = f.state.velocity[0] - 4;
+        };
+        return same(a, b, each(a, moving), each(b, moving));
+    }
+};
+static_assert(of_passes<frame>);
+// 6. A collision has a time and nothing else has; an overlap's is the later start.
+struct times_of_collisions {
+    constexpr bool operator()(const flight<2>& a, const flight<2>& b) const {
+        const auto time = time_of_impact(a, b);
+        return time.has_value() == is_collision(classify(a, b)) &&
+               (classify(a, b) != encounter::overlap || *time == (a.since > b.since ? a.since : b.since));
+    }
+};
+static_assert(of_passes<times_of_collisions>);
+
+// 12. Flights of one since do what their balls do. 13. Clocks may be set otherwise.
 constexpr ball<3> a{{{0, 0, 0}}, {{1, 0.5, 0}}, 1}, b{{{6, 2, 1}}, {{-1, 0, 0.25}}, 1.5};
 static_assert(classify(flight<3>{a, 4}, flight<3>{b, 4}) == classify(a, b));
 static_assert(static_cast<double>(*time_of_impact(flight<3>{a, 0}, flight<3>{b, 0})) ==

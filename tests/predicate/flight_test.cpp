@@ -234,7 +234,7 @@ TEST_CASE("The answer does not depend on axes, on the order of arguments or on u
     }));
 }
 
-TEST_CASE("Law 8: the answer does not depend on when the clock was set") {
+TEST_CASE("Law 13: the answer does not depend on when the clock was set") {
     int shifted = 0;
     CHECK(rc::check([&] {
         const auto index = *rc::gen::arbitrary<std::uint64_t>();

@@ -101,9 +101,10 @@ template <int N, class T>
 } // namespace detail
 
 // What the encounters of balls mean at t = 0 those of flights mean at t0, the later one's `since`: from then on both
-// are on their way. The motion before is exact, nothing is rounded. Laws 1 to 6 of classify for balls; and
-//   7. flights of one `since` do what their balls do;
-//   8. the answer stays the same when every `since` is shifted by one number, if the sums are exact.
+// are on their way. The motion before is exact, nothing is rounded. Laws 1 to 6 of classify_balls.hpp, with t0 for an
+// overlap's time, and
+//   12. flights of one `since` do what their balls do;
+//   13. the answer stays the same when every `since` is shifted by one number, if the sums are exact.
 
 // Whether two flights meet from t0 on, exactly, for every finite input. Throws std::domain_error that names the flight
 // and the field when an input is not finite or a radius is negative; in a constant expression such input does not

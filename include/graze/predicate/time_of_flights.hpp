@@ -50,7 +50,7 @@ template <int N, class T>
 } // namespace detail
 
 // The exact time, not before both are on their way, at which two flights touch first; empty for recede and miss, t0 for
-// an overlap. Throws as classify does. Laws 1 to 8.
+// an overlap. Throws as classify does. Laws 1 to 6, 12 and 13.
 template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<flight_time<N, T>>
