@@ -5,6 +5,7 @@
 #include <graze/predicate/time_of_impact.hpp>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace environments {
@@ -194,6 +195,27 @@ void ask_narrowed(caller_tally& t) {
     }
 }
 
+// Balls inside each other that part about as fast as the filter can just tell, double by double: where it computes in
+// registers of more bits and stores some results, one of its comparisons may tell what another one does not.
+void ask_barely_parting(caller_tally& t) {
+    constexpr double tells = graze::detail::ball_filter<2, double>::discriminant;
+    for (int i = 0; i < 200; ++i) {
+        const double x = 1 + i / 256.0 + 0x1p-50;
+        const double across = 2 - i / 512.0 - 0x1p-51;
+        const double radius = 5 + i / 128.0 + 0x1p-49;
+        const double length2 = x * x + radius * radius;
+        const double slow = tells * length2 * across * across / (x * x); // border² without what it adds to the speed
+        const double border = std::sqrt(tells * length2 * (across * across + slow)) / x;
+        for (int k = -8; k <= 8; ++k) {
+            const double away = stored(std::bit_cast<double>(std::bit_cast<std::int64_t>(stored(border)) + k));
+            const graze::ball<2> a{{x, 0}, {away, across}, radius};
+            const graze::ball<2> b{{0, 0}, {0, 0}, 0};
+            ++t.asked;
+            t.different += graze::time_of_impact(a, b) ? 1U : 0U;
+        }
+    }
+}
+
 } // namespace
 
 caller_tally ask_callers() {
@@ -206,6 +228,7 @@ caller_tally ask_callers() {
     ask<product, float>(t);
     ask_subnormals(t);
     ask_narrowed(t);
+    ask_barely_parting(t);
     return t;
 }
 

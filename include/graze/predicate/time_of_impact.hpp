@@ -83,11 +83,12 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
         }
         if (f.certain) {
             observer(stage::filter);
-            if (f.c < 0) {
-                return detail::time_of_overlap(a, b);
-            }
-            if (f.discriminant < 0) {
+            const encounter what = f.what();
+            if (!is_collision(what)) { // balls that part as well, of which x87 may be certain only now
                 return std::nullopt;
+            }
+            if (what == encounter::overlap) {
+                return detail::time_of_overlap(a, b);
             }
             return detail::time_of_impact_exactly(a, b); // nearly a graze
         }
