@@ -119,7 +119,7 @@ static_assert(from_below.what == encounter::hit && sign(from_below.time.q()) != 
 // A ball that cuts a face, an edge or a corner and gets deeper turns back at once.
 constexpr auto in_face = solve(exact_ball<3>{{{4, 0, 0}}, {{1, 0, 0}}, 2}, square);
 static_assert(in_face.what == encounter::overlap && in_face.time == surd(0) && in_face.velocity[0] == surd(-1) &&
-              in_face.point[0] == surd(5));
+              in_face.point[0] == surd(5) && in_face.normal == vec<3, surd>{{-1, 0, 0}});
 constexpr auto in_corner = solve(exact_ball<3>{{{4, 4, 4}}, {{1, 0, 0}}, 2}, square);
 static_assert(in_corner.what == encounter::overlap && in_corner.where == feature::corner &&
               squared_norm(in_corner.normal) == surd(1) && squared_norm(in_corner.velocity) == surd(1));
