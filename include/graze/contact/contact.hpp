@@ -41,7 +41,7 @@ namespace detail {
 // x, a zero as +0: by its bits, since with -fno-signed-zeros x + 0 and x == 0 ? 0 : x are x.
 template <class T>
 [[nodiscard]] constexpr T with_plain_zero(const T& x) noexcept {
-    return from_bits<T>(order_of_magnitude(x) == 0 ? 0 : bits_of(x), false);
+    return from_bits<T>(is_zero(x) ? 0 : bits_of(x), false);
 }
 template <int N, class T>
 [[nodiscard]] constexpr vec<N, T> with_plain_zeros(const vec<N, T>& x) noexcept {

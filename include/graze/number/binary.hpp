@@ -1,6 +1,8 @@
 // Finite binary numbers taken apart: significand · 2^exponent, from their bits alone.
 #pragma once
 
+#include <graze/number/fence.hpp>
+
 #include <array>
 #include <bit>
 #include <concepts>
@@ -98,6 +100,14 @@ template <std::signed_integral T>
     return x < 0 ? 0 - bits : bits;
 }
 
+// Whether x is 0 of either sign. Were it known whose bits these are, clang 19 would compare numbers instead where it
+// takes two at a time, and a subnormal is equal to 0 wherever it is read as that.
+template <class T>
+requires is_binary_input<T>
+[[nodiscard]] constexpr bool is_zero(const T& x) noexcept {
+    return opaque(order_of_magnitude(x)) == 0;
+}
+
 // The exponent that split gives to a number of this order, and how many bits its stored significand has at most.
 template <class T>
 [[nodiscard]] constexpr int stored_exponent(std::uint64_t order) noexcept {
@@ -147,7 +157,7 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
         high = order > high ? order : high;
         low = order - 1 < low ? order - 1 : low;
     }
-    if (any == 0) {
+    if (opaque(any) == 0) { // as in is_zero
         return;
     }
     if constexpr (!std::signed_integral<T>) {

@@ -1,6 +1,7 @@
 // Values that the compiler may not simplify across, whatever it was allowed by -ffast-math or contraction.
 #pragma once
 
+#include <cstdint>
 #include <type_traits>
 
 namespace graze::detail {
@@ -42,6 +43,18 @@ template <class T>
             __asm__("" : "+m"(x));
 #endif
         }
+    }
+    return x;
+}
+
+// The same integer, of which the compiler no longer knows where it comes from.
+[[nodiscard]] constexpr std::uint64_t opaque(std::uint64_t x) noexcept {
+    if (!std::is_constant_evaluated()) {
+#if defined(__GNUC__) && defined(__i386__)
+        __asm__("" : "+m"(x));
+#elif defined(__GNUC__)
+        __asm__("" : "+r"(x));
+#endif
     }
     return x;
 }

@@ -21,7 +21,7 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr T start_of(const std::array<T, 2>& since) noexcept {
     const T& later = is_earlier(since[0], since[1]) ? since[1] : since[0];
-    return from_bits<T>(order_of_magnitude(later) == 0 ? 0 : bits_of(later), false);
+    return from_bits<T>(is_zero(later) ? 0 : bits_of(later), false);
 }
 
 // What met, and since when each of the two was on its way; a plane's and a wall's is the flight's. An event that is at

@@ -60,7 +60,7 @@ constexpr void check(const ball<N, T>& b, const char* argument) {
 template <int N, class T>
 [[nodiscard]] constexpr bool is_zero(const vec<N, T>& x) noexcept {
     for (int i = 0; i < N; ++i) {
-        if (to_binary(x[i]).significand != 0) {
+        if (!is_zero(x[i])) {
             return false;
         }
     }

@@ -58,7 +58,7 @@ struct exact_mechanics {
 
     [[nodiscard]] constexpr bool immovable(const state& a) const { return detail::is_infinite_mass(a.state.mass); }
     [[nodiscard]] constexpr bool is_point(const state& a) const {
-        return detail::order_of_magnitude(a.state.radius) == 0;
+        return detail::is_zero(a.state.radius);
     }
 
     constexpr void bounce(state& a, state& b, const time&) const {
