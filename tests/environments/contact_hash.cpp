@@ -178,7 +178,8 @@ std::vector<hashed_subject> hashed_subjects() {
     std::vector<hashed_subject> subjects;
     if constexpr (level == 0) {
         add<contacts_of, partner::ball, 2, double>(subjects);
-        add<contacts_of, partner::plane, 2, double>(subjects); // vectors of two, in which compilers find zeros otherwise
+        // Of vectors of two, in which a compiler may look for zeros in another way.
+        add<contacts_of, partner::plane, 2, double>(subjects);
     } else {
         add_all<2, double>(subjects);
         add_all<3, double>(subjects);

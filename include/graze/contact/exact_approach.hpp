@@ -32,10 +32,15 @@ struct exact_path {
         return round_root<T>(a, h, discriminant, units.time(), rounding::nearest, counted);
     }
 
+    // a (x + u τ) + u √D, of which nothing is irrational.
+    template <class I, class J>
+    [[nodiscard]] constexpr auto rational_part(const I& x, const J& u) const {
+        return a * x - h * u;
+    }
     // Of a centre that is at x now and moves with u.
     template <class I, class J>
     [[nodiscard]] constexpr T position(const I& x, const J& u) const {
-        return round_to<T>(a * x - h * u, -u, discriminant, a, units.length);
+        return round_to<T>(rational_part(x, u), -u, discriminant, a, units.length);
     }
 };
 template <class T, class Z, class A, class H, class D>
@@ -89,7 +94,7 @@ class exact_approach {
     }
 
   private:
-    [[nodiscard]] constexpr auto across(int i) const { return path.a * m_.dx[i] - path.h * m_.du[i]; } // N
+    [[nodiscard]] constexpr auto across(int i) const { return path.rational_part(m_.dx[i], m_.du[i]); } // N
 };
 
 // Two centres inside each other and getting deeper: along the line between them, now.

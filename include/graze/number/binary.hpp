@@ -104,9 +104,7 @@ template <std::signed_integral T>
 // takes two at a time, and a subnormal is equal to 0 wherever it is read as that.
 template <class T>
 requires is_binary_input<T>
-[[nodiscard]] constexpr bool is_zero(const T& x) noexcept {
-    return opaque(order_of_magnitude(x)) == 0;
-}
+[[nodiscard]] constexpr bool is_zero(const T& x) noexcept { return opaque(order_of_magnitude(x)) == 0; }
 
 // The exponent that split gives to a number of this order, and how many bits its stored significand has at most.
 template <class T>

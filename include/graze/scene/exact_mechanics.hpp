@@ -57,9 +57,7 @@ struct exact_mechanics {
     }
 
     [[nodiscard]] constexpr bool immovable(const state& a) const { return detail::is_infinite_mass(a.state.mass); }
-    [[nodiscard]] constexpr bool is_point(const state& a) const {
-        return detail::is_zero(a.state.radius);
-    }
+    [[nodiscard]] constexpr bool is_point(const state& a) const { return detail::is_zero(a.state.radius); }
 
     constexpr void bounce(state& a, state& b, const time&) const {
         const contact<N, T> c = *collide(a, b);

@@ -5,20 +5,11 @@
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/kept_sides.hpp>
 #include <graze/scene/mechanics.hpp>
+#include <graze/scene/mover.hpp>
 
-#include <cmath>
 #include <utility>
 
 namespace graze::detail {
-
-// A ball of a run. last: whom it met last.
-template <class State>
-struct mover {
-    State state;
-    body last = no_body;
-    bool immovable = false;
-    bool point = false;
-};
 
 // Balls, planes and walls in their canonical order, by which everything here is numbered, so that nothing depends on
 // the order in which the scene lists them.
@@ -147,8 +138,7 @@ class moving_scene {
         if (!kept_.empty() && !is_on_the_way(f, g)) {
             kept_[a] = {};
         }
-        const bool flies_on = movers_[a].immovable && f.since == g.since && f.state.position == g.state.position &&
-                              f.state.velocity == g.state.velocity;
+        const bool flies_on = movers_[a].immovable && is_same_flight(f, g);
         movers_[a].state = std::move(other);
         movers_[a].last = flies_on ? movers_[a].last : no_body;
     }
@@ -171,17 +161,6 @@ class moving_scene {
         counts_[a] += x.immovable ? 0 : 1;
         keep_due(a, before_a, b);
         tidy(a, b);
-    }
-
-    [[nodiscard]] static bool is_on_the_way(const flight<dimension, double>& f, const flight<dimension, double>& g) {
-        for (int i = 0; i < dimension; ++i) {
-            const double way = f.state.velocity[i] * (g.since - f.since);
-            const double far = std::fabs(f.state.position[i]) + std::fabs(way);
-            if (!(std::fabs(f.state.position[i] + way - g.state.position[i]) <= 0x1p-20 * far)) { // floats' rounding
-                return false;
-            }
-        }
-        return true;
     }
 
     template <class F>

@@ -1,0 +1,40 @@
+// A ball of a run, and how another state of it compares with the one that it has.
+#pragma once
+
+#include <graze/formula/contact.hpp>
+#include <graze/scene/event_heap.hpp>
+#include <graze/shape/flight.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze::detail {
+
+// last: whom it met last.
+template <class State>
+struct mover {
+    State state;
+    body last = no_body;
+    bool immovable = false;
+    bool point = false;
+};
+
+template <int N>
+[[nodiscard]] constexpr bool is_same_flight(const flight<N, double>& f, const flight<N, double>& g) {
+    return f.since == g.since && f.state.position == g.state.position && f.state.velocity == g.state.velocity;
+}
+
+// Whether g starts where f comes by then, but for rounding to floats.
+template <int N>
+[[nodiscard]] bool is_on_the_way(const flight<N, double>& f, const flight<N, double>& g) {
+    const auto there = position_at(f.state.position, f.state.velocity, g.since - f.since);
+    for (int i = 0; i < N; ++i) {
+        const double far = std::max(std::fabs(f.state.position[i]), std::fabs(there[i]));
+        if (!(std::fabs(there[i] - g.state.position[i]) <= 0x1p-20 * far)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace graze::detail
