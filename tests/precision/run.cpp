@@ -249,7 +249,9 @@ int run_checked(const options& o, const std::string& program, const graze::preci
     }
     const std::string repeated = command_of(o);
     const circumstances about{program, compiler, flags, repeated, accepted_option(o), o.results};
-    if (!o.accepted.empty() && how != update::no) {
+    // Figures that are compared with another's, or that are meant to be worse, are nothing to accept.
+    const bool own_figures = o.as_variant.empty() && o.as_type.empty() && !o.expect_loss;
+    if (!o.accepted.empty() && own_figures && how != update::no) {
         for (const auto& file : write_accepted(o.accepted, accepted, measured, how,
                                                std::filesystem::path(program).filename().string() + " " +
                                                    command_of(o, true) + ", flags " + flags)) {

@@ -22,6 +22,7 @@ not, the change is `unseen`, and the script fails. NOT_MEASURED names the statem
 import argparse
 import concurrent.futures
 import importlib.util
+import os
 import pathlib
 import random
 import re
@@ -193,7 +194,8 @@ class Regression:
             only = sum((["--only", f"/{n}/double/"] for n in self.names(formulas)), [])
             ran = subprocess.run([str(folder / "program"), "--accepted", str(PRECISION / "accepted"), "--kept",
                                   str(PRECISION / "inputs"), "--results", str(folder / "results"), "--quiet"] + only,
-                                 capture_output=True, check=False, text=True)
+                                 capture_output=True, check=False, text=True,
+                                 env=os.environ | {"GRAZE_PRECISION_UPDATE": "no"})
             said = ran.stdout.strip().split("\n")[-1]
             return {0: "passed", 1: "caught"}.get(ran.returncode, "stillborn"), said if ran.returncode < 2 else ran.stderr
 
