@@ -68,12 +68,20 @@ std::string in_words(const reading& x) {
     for (const double part : x.parts) {
         text += (text.empty() ? "" : " + ") + decimal(part);
     }
-    return x.exponent == 0 ? text : "(" + text + ") 2^" + std::to_string(x.exponent);
+    if (x.exponent != 0 || x.decimal_exponent != 0) {
+        text = "(" + text + ")";
+    }
+    text += x.exponent == 0 ? "" : " 2^" + std::to_string(x.exponent);
+    return text + (x.decimal_exponent == 0 ? "" : " 10^" + std::to_string(x.decimal_exponent));
 }
 
 template <int N>
 std::string expected_and_actual(const key& k, const subject& formula, const pair<N>& p) {
-    const truth<N> right(p);
+    const std::optional<truth<N>> about = truth_for(p, formula.type);
+    if (!about) {
+        return {};
+    }
+    const truth<N>& right = *about;
     std::optional<graze::precision::answer> given;
     std::string text;
     try {

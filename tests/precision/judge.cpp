@@ -24,8 +24,23 @@ long exponent_of(const mpq_class& x) {
     return abs(x) < power_of_two(e) ? e - 1 : e;
 }
 
+mpq_class power_of_ten(long exponent) {
+    mpz_class power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+    return exponent < 0 ? mpq_class(1, power) : mpq_class(power);
+}
+
+// floor(log10|x|) for x != 0. With 2^e <= |x| < 2^(e+1) it is floor(e log10 2) or one more.
+long decimal_exponent_of(const mpq_class& x) {
+    const long e = static_cast<long>(std::floor(static_cast<double>(exponent_of(x)) * std::log10(2.0)));
+    return abs(x) < power_of_ten(e + 1) ? e : e + 1;
+}
+
 // The unit in the last place of x in the type.
 mpq_class unit_of(const mpq_class& x, const number_type& type) {
+    if (type.decimal_digits != 0) {
+        return power_of_ten(decimal_exponent_of(x) - type.decimal_digits + 1);
+    }
     return power_of_two(std::max(exponent_of(x) - type.digits + 1, static_cast<long>(type.lowest)));
 }
 
@@ -118,7 +133,8 @@ std::optional<mpq_class> exactly(const reading& x) {
         }
         sum += mpq_class(part);
     }
-    return mpq_class(sum * power_of_two(x.exponent));
+    sum *= power_of_two(x.exponent);
+    return x.decimal_exponent == 0 ? sum : mpq_class(sum * power_of_ten(x.decimal_exponent));
 }
 
 template <int N>

@@ -48,7 +48,6 @@ template <int N>
 struct question {
     pair<N> asked;
     truth<N> right;
-    explicit question(const pair<N>& p) : asked(p), right(p) {}
 };
 
 template <int N>
@@ -65,7 +64,7 @@ shared_questions<N> questions_of(const family& f) {
     shared_questions<N> all(f.pairs.size());
     for (std::size_t i = 0; i < f.pairs.size(); ++i) {
         if (const auto* p = std::get_if<pair<N>>(&f.pairs[i]); p != nullptr && is_valid(*p)) {
-            all[i] = std::make_shared<question<N>>(*p);
+            all[i] = std::make_shared<question<N>>(*p, truth<N>(*p));
         }
     }
     return all;
@@ -78,8 +77,11 @@ shared_questions<N> as_held(const shared_questions<N>& all, const graze::precisi
         if (all[i] == nullptr) {
             continue;
         }
-        if (const auto p = held(all[i]->asked, type)) {
-            result[i] = same(*p, all[i]->asked) ? all[i] : std::make_shared<question<N>>(*p);
+        const auto p = held(all[i]->asked, type);
+        if (p && type.rounded == nullptr && same(*p, all[i]->asked)) {
+            result[i] = all[i];
+        } else if (auto right = p ? truth_for(*p, type) : std::nullopt) {
+            result[i] = std::make_shared<question<N>>(*p, std::move(*right));
         }
     }
     return result;
@@ -175,27 +177,36 @@ std::optional<pair<N>> held(const pair<N>& p, const graze::precision::number_typ
 template std::optional<pair<2>> held(const pair<2>&, const graze::precision::number_type&);
 template std::optional<pair<3>> held(const pair<3>&, const graze::precision::number_type&);
 
+template <int N>
+std::optional<truth<N>> truth_for(const pair<N>& p, const graze::precision::number_type& type) {
+    if (type.rounded == nullptr) {
+        return truth<N>(p);
+    }
+    const auto value = [&](double x) { return exactly(type.rounded(x)); };
+    return truth<N>::of_rounded(p, value);
+}
+template std::optional<truth<2>> truth_for(const pair<2>&, const graze::precision::number_type&);
+template std::optional<truth<3>> truth_for(const pair<3>&, const graze::precision::number_type&);
+
 std::optional<verdict> judge_one(const subject& formula, quantity of, const any_pair& p, const any_pair* other) {
     return std::visit(
         [&]<int N>(const pair<N>& asked) -> std::optional<verdict> {
             const auto first = is_valid(asked) ? held(asked, formula.type) : std::nullopt;
-            if (!first) {
+            const auto about_first = first ? truth_for(*first, formula.type) : std::nullopt;
+            if (!about_first) {
                 return std::nullopt;
             }
-            const truth<N> right(*first);
+            const truth<N>& right = *about_first;
             verdicts found;
             if (other == nullptr) {
                 found = judge(formula, *first, right);
             } else {
                 const auto second = held(std::get<pair<N>>(*other), formula.type);
-                if (!second || !is_ordered(right)) {
+                const auto about_second = second ? truth_for(*second, formula.type) : std::nullopt;
+                if (!about_second || !is_ordered(right) || !is_ordered(*about_second)) {
                     return std::nullopt;
                 }
-                const truth<N> right_second(*second);
-                if (!is_ordered(right_second)) {
-                    return std::nullopt;
-                }
-                found = judge(formula, *first, *second, right, right_second);
+                found = judge(formula, *first, *second, right, *about_second);
             }
             const auto v = found.find(of);
             return v == found.end() ? std::nullopt : std::optional(v->second);

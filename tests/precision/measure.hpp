@@ -43,8 +43,13 @@ struct plan {
 [[nodiscard]] std::optional<verdict> judge_one(const subject& formula, quantity of, const any_pair& p,
                                                const any_pair* other = nullptr);
 
-// The pair with its numbers as the type holds them, if they are valid then.
+// The pair with its numbers as the type holds them, if they are valid then. A decimal type holds what no pair of
+// doubles is: only the truth knows it.
 template <int N>
 [[nodiscard]] std::optional<pair<N>> held(const pair<N>& p, const graze::precision::number_type& type);
+
+// Of a pair that is held.
+template <int N>
+[[nodiscard]] std::optional<truth<N>> truth_for(const pair<N>& p, const graze::precision::number_type& type);
 
 } // namespace precision

@@ -29,6 +29,30 @@ struct beside_16 {
     }
 };
 
+// Decimal numbers of three digits, of which no more is asked than where they begin and end.
+struct decimal {
+    double x;
+    explicit decimal(int i) : x(i) {}
+    friend decimal operator+(decimal x, decimal) { return x; }
+    friend decimal operator-(decimal x, decimal) { return x; }
+    friend decimal operator*(decimal x, decimal) { return x; }
+    decimal operator-() const { return *this; }
+    friend bool operator<(decimal x, decimal y) { return x.x < y.x; }
+};
+
+// Answers that D is so many thousandths.
+template <int Thousandths>
+struct thousandths {
+    static constexpr const char* name = "thousandths";
+    static constexpr quantity measures = quantity::discriminant;
+    template <int N>
+    answer operator()(const graze::ball<N, decimal>&, const graze::ball<N, decimal>&) const {
+        answer a;
+        a.values.push_back({quantity::discriminant, {{{static_cast<double>(Thousandths)}, 0, -3}}});
+        return a;
+    }
+};
+
 const pair<2> straight_on{{{-5, 0}, {1, 0}, 1}, graze::ball<2>{{0, 0}, {0, 0}, 3}}; // D = |du|² R² = 16
 
 template <int Quarters>
@@ -40,6 +64,27 @@ precision::verdict judged() {
 
 } // namespace
 
+template <>
+struct graze::number_traits<decimal> {
+    static constexpr const char* name = "decimal";
+    static constexpr bool is_exact = false;
+    static constexpr int digits = 7;
+};
+template <>
+struct std::numeric_limits<decimal> {
+    static constexpr bool is_specialized = true;
+    static constexpr int radix = 10, digits10 = 3;
+};
+template <>
+struct graze::precision::number_access<decimal> {
+    static decimal from(double x) {
+        decimal d(0);
+        d.x = x;
+        return d;
+    }
+    static reading read(decimal d) { return {{std::round(d.x * 1000)}, 0, -3}; }
+};
+
 TEST_CASE("errors are fractions of a unit in the last place") {
     CHECK(judged<0>().largest() == 0);
     CHECK(judged<1>().largest() == 0.25);
@@ -48,6 +93,21 @@ TEST_CASE("errors are fractions of a unit in the last place") {
     CHECK(judged<3>().largest() == 0.75);
     CHECK(judged<3>().misrounded == 1);
     CHECK_FALSE(judged<3>().wrong);
+}
+
+TEST_CASE("a decimal type is judged on what it holds, in its own unit") {
+    // D = |du|² R²: 16 (1/10)², exactly 160 thousandths; 0.1 as a double is another number.
+    const pair<2> slow{{{-5, 0}, {0.1, 0}, 1}, graze::ball<2>{{0, 0}, {0, 0}, 3}};
+    const auto error = [&]<int Digits>(std::integral_constant<int, Digits>) {
+        graze::precision::subjects list;
+        graze::precision::add<thousandths<Digits>, decimal>(list);
+        const auto v = precision::judge_one(*list.front(), quantity::discriminant, slow).value();
+        CHECK(v.misrounded == (v.largest() > 0.5 ? 1 : 0));
+        return v.largest();
+    };
+    CHECK(error(std::integral_constant<int, 160>{}) == 0);
+    CHECK(error(std::integral_constant<int, 161>{}) == 1); // three digits of 0.160
+    CHECK(error(std::integral_constant<int, 155>{}) == 5);
 }
 
 TEST_CASE("each figure that gates is compared, and the median is not") {

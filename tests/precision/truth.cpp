@@ -1,5 +1,7 @@
 #include "truth.hpp"
 
+#include <algorithm>
+
 namespace precision {
 
 const mpq_class& exact_number::to(int bits) const {
@@ -18,8 +20,8 @@ namespace {
 template <int N>
 using rational_vector = std::array<mpq_class, N>;
 
-template <int N>
-rational_vector<N> difference(const graze::vec<N, double>& x, const graze::vec<N, double>& y) {
+template <int N, class T>
+rational_vector<N> difference(const graze::vec<N, T>& x, const graze::vec<N, T>& y) {
     rational_vector<N> z;
     for (int i = 0; i < N; ++i) {
         z[static_cast<std::size_t>(i)] = mpq_class(x[i]) - mpq_class(y[i]);
@@ -49,10 +51,19 @@ exact_vector all(const oracle::surd_vector<N>& x) {
 }
 
 mpq_class inverse(double mass) { return std::isinf(mass) ? mpq_class(0) : mpq_class(1 / mpq_class(mass)); }
+mpq_class inverse(const mpq_class& mass) { return mass == 0 ? mass : mpq_class(1 / mass); } // 0: infinite
 
-template <int N>
-oracle::answer meet(const pair<N>& p) {
+template <class P>
+oracle::answer meet(const P& p) {
     return std::visit([&](const auto& other) { return oracle::meet(p.a, other); }, p.other);
+}
+
+mpq_class inverse_of_other(const auto& other) {
+    if constexpr (requires { other.mass; }) {
+        return inverse(other.mass);
+    } else {
+        return 0;
+    }
 }
 
 template <int N>
@@ -70,8 +81,8 @@ bool is_valid(const graze::ball<N, double>& b) {
     return is_finite(b.position) && is_finite(b.velocity) && std::isfinite(b.radius) && b.radius >= 0 && b.mass > 0;
 }
 
-template <int N>
-bool is_zero(const graze::vec<N, double>& x) {
+template <int N, class T>
+bool is_zero(const graze::vec<N, T>& x) {
     for (int i = 0; i < N; ++i) {
         if (x[i] != 0) {
             return false;
@@ -80,12 +91,27 @@ bool is_zero(const graze::vec<N, double>& x) {
     return true;
 }
 
-bool are_parallel(const graze::vec<3, double>& x, const graze::vec<3, double>& y) {
+template <class T>
+bool are_parallel(const graze::vec<3, T>& x, const graze::vec<3, T>& y) {
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         if (mpq_class(x[i]) * mpq_class(y[j]) != mpq_class(x[j]) * mpq_class(y[i])) {
             return false;
         }
+    }
+    return true;
+}
+
+// Whether there are edges of a wall: none is zero, and they are not parallel.
+template <int N, class T>
+bool has_edges(const graze::wall<N, T>& w) {
+    for (const auto& e : w.edge) {
+        if (is_zero(e)) {
+            return false;
+        }
+    }
+    if constexpr (N == 3) {
+        return !are_parallel(w.edge[0], w.edge[1]);
     }
     return true;
 }
@@ -106,60 +132,106 @@ bool is_valid(const pair<N>& p) {
     const auto& w = std::get<graze::wall<N, double>>(p.other);
     bool valid = is_finite(w.corner);
     for (const auto& e : w.edge) {
-        valid = valid && is_finite(e) && !is_zero(e);
+        valid = valid && is_finite(e);
     }
-    if constexpr (N == 3) {
-        valid = valid && !are_parallel(w.edge[0], w.edge[1]);
-    }
-    return valid;
+    return valid && has_edges(w);
 }
 
 template <int N>
-truth<N>::truth(const pair<N>& p) : pair_(p), met_(meet(p)) {}
+truth<N>::truth(const pair<N>& p)
+    : pair_(p), inverse_a_(inverse(p.a.mass)),
+      inverse_b_(std::visit([](const auto& other) { return inverse_of_other(other); }, p.other)), met_(meet(p)) {}
 
 template <int N>
-void truth<N>::add_coefficients(const graze::ball<N, double>& a, const graze::ball<N, double>& b, values& v) const {
-    const auto dx = difference(a.position, b.position), du = difference(a.velocity, b.velocity);
-    const mpq_class sum = mpq_class(a.radius) + mpq_class(b.radius);
-    const mpq_class q = product(du, du), h = product(dx, du), c = product(dx, dx) - sum * sum;
-    v.of[static_cast<std::size_t>(quantity::coefficient_a)] = {one(q)};
-    v.of[static_cast<std::size_t>(quantity::coefficient_h)] = {one(h)};
-    v.of[static_cast<std::size_t>(quantity::coefficient_c)] = {one(c)};
-    v.of[static_cast<std::size_t>(quantity::discriminant)] = {one(mpq_class(h * h - q * c))};
+truth<N>::truth(rational_pair<N> p, mpq_class inverse_a, mpq_class inverse_b)
+    : pair_(std::move(p)), inverse_a_(std::move(inverse_a)), inverse_b_(std::move(inverse_b)),
+      met_(meet(std::get<rational_pair<N>>(pair_))) {}
+
+template <int N>
+std::optional<truth<N>> truth<N>::of_rounded(const pair<N>& p, const value_of& value) {
+    bool valid = true;
+    const auto number = [&](double x) -> mpq_class {
+        const std::optional<mpq_class> y = std::isinf(x) ? mpq_class(0) : value(x);
+        valid = valid && y;
+        return y.value_or(0);
+    };
+    const auto vector = [&](const graze::vec<N, double>& x) {
+        return graze::make_vec<N>([&](int i) { return number(x[i]); });
+    };
+    const auto ball = [&](const graze::ball<N, double>& b) {
+        const graze::ball<N, mpq_class> r{vector(b.position), vector(b.velocity), number(b.radius), number(b.mass)};
+        valid = valid && r.radius >= 0 && (std::isinf(b.mass) || r.mass > 0);
+        return r;
+    };
+    rational_pair<N> r{ball(p.a), {}};
+    if (const auto* b = std::get_if<graze::ball<N, double>>(&p.other)) {
+        r.other = ball(*b);
+    } else if (const auto* plane = std::get_if<graze::plane<N, double>>(&p.other)) {
+        graze::plane<N, mpq_class> q{vector(plane->point), vector(plane->normal)};
+        valid = valid && !is_zero(q.normal);
+        r.other = q;
+    } else {
+        const auto& w = std::get<graze::wall<N, double>>(p.other);
+        graze::wall<N, mpq_class> q{vector(w.corner), {}};
+        std::transform(w.edge.begin(), w.edge.end(), q.edge.begin(), vector);
+        valid = valid && has_edges(q);
+        r.other = q;
+    }
+    if (!valid) {
+        return std::nullopt;
+    }
+    mpq_class inverse_b = std::visit([](const auto& other) { return inverse_of_other(other); }, r.other);
+    mpq_class inverse_a = inverse(r.a.mass);
+    return truth(std::move(r), std::move(inverse_a), std::move(inverse_b));
 }
 
 template <int N>
 typename truth<N>::values truth<N>::values_at(oracle::feature where, int index) const {
     values v{where, index, {}};
-    const auto* b = std::get_if<graze::ball<N, double>>(&pair_.other);
-    if (b != nullptr) {
-        add_coefficients(pair_.a, *b, v);
-    }
-    if (!oracle::is_collision(met_.what)) {
-        return v;
-    }
     const auto put = [&](quantity q, exact_vector x) { v.of[static_cast<std::size_t>(q)].push_back(std::move(x)); };
-    if (b != nullptr) {
-        const auto c = oracle::contact(pair_.a, *b, inverse(pair_.a.mass), inverse(b->mass), met_);
-        put(quantity::time, one(c.time));
-        put(quantity::position, all<N>(c.position_a));
-        put(quantity::position, all<N>(c.position_b));
-        put(quantity::normal, all<N>(c.normal));
-        put(quantity::velocity, all<N>(c.velocity_a));
-        put(quantity::velocity, all<N>(c.velocity_b));
-        return v;
-    }
-    oracle::wall_contact<N> c;
-    if (const auto* plane = std::get_if<graze::plane<N, double>>(&pair_.other)) {
-        c = oracle::contact(pair_.a, *plane, met_);
-    } else {
-        c = oracle::contact(pair_.a, std::get<graze::wall<N, double>>(pair_.other), met_, where, index);
-    }
-    put(quantity::time, one(c.time));
-    put(quantity::position, all<N>(c.position));
-    put(quantity::position, all<N>(c.point));
-    put(quantity::normal, all<N>(c.normal));
-    put(quantity::velocity, all<N>(c.velocity));
+    const auto of_balls = [&](const auto& a, const auto& b) {
+        const auto dx = difference(a.position, b.position), du = difference(a.velocity, b.velocity);
+        const mpq_class sum = mpq_class(a.radius) + mpq_class(b.radius);
+        const mpq_class q = product(du, du), h = product(dx, du), c = product(dx, dx) - sum * sum;
+        put(quantity::coefficient_a, one(q));
+        put(quantity::coefficient_h, one(h));
+        put(quantity::coefficient_c, one(c));
+        put(quantity::discriminant, one(mpq_class(h * h - q * c)));
+        if (!oracle::is_collision(met_.what)) {
+            return;
+        }
+        const auto met = oracle::contact(a, b, inverse_a_, inverse_b_, met_);
+        put(quantity::time, one(met.time));
+        put(quantity::position, all<N>(met.position_a));
+        put(quantity::position, all<N>(met.position_b));
+        put(quantity::normal, all<N>(met.normal));
+        put(quantity::velocity, all<N>(met.velocity_a));
+        put(quantity::velocity, all<N>(met.velocity_b));
+    };
+    const auto of_wall = [&](const oracle::wall_contact<N>& met) {
+        put(quantity::time, one(met.time));
+        put(quantity::position, all<N>(met.position));
+        put(quantity::position, all<N>(met.point));
+        put(quantity::normal, all<N>(met.normal));
+        put(quantity::velocity, all<N>(met.velocity));
+    };
+    std::visit(
+        [&](const auto& p) {
+            std::visit(
+                [&](const auto& other) {
+                    if constexpr (requires { other.radius; }) {
+                        of_balls(p.a, other);
+                    } else if (!oracle::is_collision(met_.what)) {
+                        return;
+                    } else if constexpr (requires { other.normal; }) {
+                        of_wall(oracle::contact(p.a, other, met_));
+                    } else {
+                        of_wall(oracle::contact(p.a, other, met_, where, index));
+                    }
+                },
+                p.other);
+        },
+        pair_);
     return v;
 }
 

@@ -6,7 +6,9 @@
 #include <graze/precision/subject.hpp>
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace precision {
@@ -30,11 +32,21 @@ class exact_number {
 
 using exact_vector = std::vector<exact_number>;
 
+// A pair of rational numbers, for what no double is. An infinite mass is 0 here: the truth keeps the inverse ones.
+template <int N>
+struct rational_pair {
+    graze::ball<N, mpq_class> a;
+    std::variant<graze::ball<N, mpq_class>, graze::plane<N, mpq_class>, graze::wall<N, mpq_class>> other;
+};
+
 template <int N>
 class truth {
   public:
     // p is valid (see is_valid).
     explicit truth(const pair<N>& p);
+    // About p, which is valid, with the value of each of its numbers in its place; nothing where these are no pair.
+    using value_of = std::function<std::optional<mpq_class>(double)>;
+    [[nodiscard]] static std::optional<truth> of_rounded(const pair<N>& p, const value_of& value);
 
     [[nodiscard]] const oracle::answer& met() const { return met_; }
     // The values of a quantity, in the order of graze::precision::answer; empty where the pair has none. where and
@@ -47,10 +59,11 @@ class truth {
         int index;
         std::array<std::vector<exact_vector>, 10> of;
     };
-    void add_coefficients(const graze::ball<N, double>& a, const graze::ball<N, double>& b, values& v) const;
+    truth(rational_pair<N> p, mpq_class inverse_a, mpq_class inverse_b);
     [[nodiscard]] values values_at(oracle::feature where, int index) const;
 
-    pair<N> pair_;
+    std::variant<pair<N>, rational_pair<N>> pair_;
+    mpq_class inverse_a_, inverse_b_; // of the masses
     oracle::answer met_;
     mutable std::vector<values> known_;
 };

@@ -91,7 +91,7 @@ struct solution_in {
     // An infinite mass is an infinity, whose inverse is 0 under flags that promise finite numbers as well.
     template <class T>
     [[nodiscard]] static T inverse(const T& mass) {
-        return detail::exponent_field(static_cast<double>(mass)) == 0x7ff ? T(0) : T(T(1) / mass);
+        return detail::exponent_field(number_access<T>::read(mass).parts.front()) == 0x7ff ? T(0) : T(T(1) / mass);
     }
     template <int N, class T>
     [[nodiscard]] static answer of_wall(const wall_solution<N, T>& s) {

@@ -13,11 +13,12 @@
 
 namespace graze::precision {
 
-// A number told in doubles: the sum of the parts, times 2^exponent, exactly. There is at least one part; one that is
-// not finite says that the number is none.
+// A number told in doubles: the sum of the parts, times 2^exponent 10^decimal_exponent, exactly. There is at least one
+// part; one that is not finite says that the number is none.
 struct reading {
     std::vector<double> parts;
     int exponent = 0;
+    int decimal_exponent = 0;
 };
 
 namespace detail {
@@ -79,17 +80,20 @@ struct number_access {
     }
 };
 
-// What the suite has to know of a type. digits: of the significand, in whose units of the last place errors are told.
-// lowest: the exponent of the smallest positive number, where there is one.
+// What the suite has to know of a type. digits: of the significand, in whose units of the last place errors are told;
+// those of a decimal type in decimal_digits. lowest: the exponent of the smallest positive number, where there is one.
 struct number_type {
     std::string name;
     int digits = 53;
+    int decimal_digits = 0;
     int lowest = std::numeric_limits<int>::min();
-    double (*held)(double) = nullptr; // x as the type holds it; one of 53 digits or more holds every double
+    double (*held)(double) = nullptr; // x as the type holds it; a binary one of 53 digits or more holds every double
+    reading (*rounded)(double) = nullptr; // of a decimal type: what it holds for x, which is no double
 };
 
 // The name without spaces; that of long double with its digits, which differ between platforms. A type without a number
-// of digits is told in those of double.
+// of digits is told in those of double. Sums of several doubles have the exponents of double, but a unit in the last
+// place far below the smallest double: theirs is told as if it went down without end.
 template <number T>
 [[nodiscard]] number_type describe() {
     using traits = number_traits<T>;
@@ -106,9 +110,17 @@ template <number T>
         type.name += "_" + std::to_string(type.digits);
     }
     if constexpr (limits::is_specialized && limits::radix == 2 && traits::digits > 0) {
-        if constexpr (limits::min_exponent > std::numeric_limits<int>::min() / 2) {
+        constexpr bool is_sum =
+            traits::digits > 53 && limits::min_exponent == std::numeric_limits<double>::min_exponent;
+        if constexpr (limits::min_exponent > std::numeric_limits<int>::min() / 2 && !is_sum) {
             type.lowest = static_cast<int>(limits::min_exponent) - type.digits;
         }
+    }
+    if constexpr (limits::is_specialized && limits::radix == 10) {
+        type.decimal_digits = limits::digits10;
+        type.held = [](double x) { return static_cast<void>(number_access<T>::from(x)), x; }; // it may throw
+        type.rounded = [](double x) { return number_access<T>::read(number_access<T>::from(x)); };
+        return type;
     }
     type.held = [](double x) {
         const T value = number_access<T>::from(x);
