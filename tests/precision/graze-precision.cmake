@@ -15,6 +15,14 @@
 #     [EXCLUDE_FROM_ALL])     the programs are built when the tests run
 # makes for each set of flags a program and a test, name or name.1, name.2 ...; with several sets also name.flags, a test
 # that says which flag lost the precision. Needs GMP, for the exact values.
+#
+# graze_add_hard_case_search(name
+#     TYPES type... [HEADERS file...] [FORMULAS formula...] [DECISIONS] [LIBRARIES target...] [DEFINITIONS name...]
+#                             as above
+#     [FLAGS flags]           a string of compiler flags by which the formulas are compiled, after the build's own
+#     [EXCLUDE_FROM_ALL])     the program is built by its own target alone
+# makes a program that looks for hard cases of these formulas and is told the rest at its command line (--help). Its work
+# is counted in what is compiled from FORMULAS and TYPES, headers included. Needs GMP and CLI11.
 include_guard(GLOBAL)
 set(GRAZE_PRECISION_SOURCES "${CMAKE_CURRENT_LIST_DIR}" CACHE INTERNAL "The sources of the precision suite")
 
@@ -45,15 +53,40 @@ function(graze_precision_suite_library)
     endif()
 endfunction()
 
-# The sources of a program: one for each type, so that types are compiled side by side, and the main program.
-function(graze_precision_sources folder flags sources_out)
+# What searches, and the command line of a search, if there is CLI11.
+function(graze_hard_case_search_libraries)
+    graze_precision_suite_library()
+    find_package(CLI11 QUIET)
+    set(search_sources border climb figures goal kept run work)
+    set(search_program_sources program)
+    set(search_links graze_precision_suite)
+    set(search_program_links graze_precision_search CLI11::CLI11)
+    foreach(part IN ITEMS search search_program)
+        if(TARGET graze_precision_${part} OR (part STREQUAL "search_program" AND NOT TARGET CLI11::CLI11))
+            continue()
+        endif()
+        list(TRANSFORM ${part}_sources PREPEND "${GRAZE_PRECISION_SOURCES}/search/")
+        list(TRANSFORM ${part}_sources APPEND ".cpp")
+        add_library(graze_precision_${part} STATIC EXCLUDE_FROM_ALL ${${part}_sources})
+        target_include_directories(graze_precision_${part} SYSTEM PRIVATE "${GRAZE_gmp_INCLUDE_DIR}")
+        target_link_libraries(graze_precision_${part} PUBLIC ${${part}_links})
+        target_compile_options(graze_precision_${part} PRIVATE -O1 -fno-fast-math -ffp-contract=off)
+        if(TARGET graze_warnings)
+            target_link_libraries(graze_precision_${part} PRIVATE graze_warnings)
+        endif()
+    endforeach()
+endfunction()
+
+# The sources of a program: one for each type, so that types are compiled side by side, and the main program, which
+# includes the header and returns the call.
+function(graze_precision_sources folder header call sources_out)
     set(includes "")
-    foreach(header IN LISTS arg_HEADERS)
-        if(header MATCHES "^<.*>$")
-            string(APPEND includes "#include ${header}\n")
+    foreach(file IN LISTS arg_HEADERS)
+        if(file MATCHES "^<.*>$")
+            string(APPEND includes "#include ${file}\n")
         else()
-            get_filename_component(header "${header}" ABSOLUTE)
-            string(APPEND includes "#include \"${header}\"\n")
+            get_filename_component(file "${file}" ABSOLUTE)
+            string(APPEND includes "#include \"${file}\"\n")
         endif()
     endforeach()
     set(declarations "")
@@ -100,12 +133,12 @@ void add_decisions_@type@(graze::precision::subjects& list) {
         string(APPEND calls "    add_decisions_${type}(list);\n")
     endforeach()
     file(CONFIGURE OUTPUT "${folder}/main.cpp" @ONLY CONTENT
-"#include \"@GRAZE_PRECISION_SOURCES@/run.hpp\"
+"#include \"@GRAZE_PRECISION_SOURCES@/@header@\"
 
 @declarations@
 int main(int argc, char** argv) {
     graze::precision::subjects list;
-@calls@    return precision::run(argc, argv, list, \"@CMAKE_CXX_COMPILER_ID@ @CMAKE_CXX_COMPILER_VERSION@\", \"@flags@\");
+@calls@    return @call@;
 }
 ")
     set(${sources_out} "${sources}" PARENT_SCOPE)
@@ -167,7 +200,9 @@ function(graze_add_precision_test name)
         string(TOUPPER "${CMAKE_BUILD_TYPE}" configuration)
         set(all_flags ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${configuration}} ${flags})
         list(JOIN all_flags " " all_flags)
-        graze_precision_sources("${folder}" "${all_flags}" sources)
+        set(compiler "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+        graze_precision_sources("${folder}" run.hpp
+            "precision::run(argc, argv, list, \"${compiler}\", \"${all_flags}\")" sources)
         add_executable(${this} ${own_exclude} ${sources})
         target_link_libraries(${this} PRIVATE graze::graze ${arg_LIBRARIES} graze_precision_suite)
         if(TARGET graze_warnings)
@@ -210,4 +245,33 @@ function(graze_add_precision_test name)
     if(arg_LABELS)
         set_tests_properties(${tests} PROPERTIES LABELS "${arg_LABELS}")
     endif()
+endfunction()
+
+function(graze_add_hard_case_search name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXCLUDE_FROM_ALL" "FLAGS"
+        "TYPES;HEADERS;FORMULAS;LIBRARIES;DEFINITIONS")
+    if(arg_UNPARSED_ARGUMENTS OR NOT arg_TYPES)
+        message(FATAL_ERROR "graze_add_hard_case_search(${name}): TYPES expected, got '${arg_UNPARSED_ARGUMENTS}'")
+    endif()
+    graze_hard_case_search_libraries()
+    if(NOT TARGET graze_precision_search_program)
+        message(FATAL_ERROR "graze_add_hard_case_search: CLI11 is not found; "
+            "on Debian and Ubuntu it is the package libcli11-dev")
+    endif()
+    graze_precision_sources("${CMAKE_CURRENT_BINARY_DIR}/${name}.files" search/program.hpp
+        "search::run(argc, argv, list, \"${name}\")" sources)
+    set(exclude)
+    if(arg_EXCLUDE_FROM_ALL)
+        set(exclude EXCLUDE_FROM_ALL)
+    endif()
+    add_executable(${name} ${exclude} ${sources})
+    target_link_libraries(${name} PRIVATE graze::graze ${arg_LIBRARIES} graze_precision_search_program)
+    if(TARGET graze_warnings)
+        target_link_libraries(${name} PRIVATE graze_warnings)
+    endif()
+    target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
+    separate_arguments(options UNIX_COMMAND "${arg_FLAGS}")
+    list(REMOVE_AT sources 0)
+    # Not in the main program, and not in what counts: that would count itself.
+    set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS ${options} -fsanitize-coverage=trace-pc)
 endfunction()

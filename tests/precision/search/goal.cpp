@@ -1,6 +1,6 @@
 #include "goal.hpp"
 
-#include "../truth.hpp"
+#include "border.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,68 +13,50 @@ namespace search {
 
 namespace {
 
-using graze::encounter;
-using precision::quantity;
-
 constexpr std::array<const char*, 4> aim_names = {"error", "nearest", "farthest", "fallback"};
-// Scores of wrong decisions are about twice this; distances are above 2^-found_from.
-constexpr double found_from = 4096;
+// Bits of distances are cut at this many; scores of wrong decisions are beyond it, others below.
+constexpr double found_from = 0x1p15;
 
-// Relative distances of two balls from the three borders.
-struct borders {
-    encounter met = encounter::recede;
-    double receding = 0, overlapping = 0, hitting = 0; // |h|/(|Δx| |Δu|), |c|/(|Δx|² + R²), |D|/(h² + |a c|)
-
-    // From the one between what is met and what was given; 0 where they are the same.
-    [[nodiscard]] double crossed(encounter given) const {
-        const auto is = [&](encounter e) { return given == e || met == e; };
-        return given == met ? 0 : is(encounter::recede) ? receding : is(encounter::overlap) ? overlapping : hitting;
-    }
+// What is asked about a pair, as its type holds it. std::nullopt outside the domain.
+struct asked {
+    const graze::precision::subject* formula;
+    std::optional<graze::precision::answer> given; // nothing where it threw
 };
 
 template <int N>
-borders borders_of(const precision::pair<N>& p, const graze::ball<N, double>& b) {
-    const precision::truth<N> right(p);
-    const auto value = [&](quantity q) -> mpq_class {
-        return right.of(q, oracle::feature::corner, 0).front().front().to(64);
-    };
-    const auto ratio = [](const mpq_class& x, const mpq_class& whole) {
-        return whole == 0 ? 0.0 : mpq_class(x / whole).get_d();
-    };
-    const mpq_class a = value(quantity::coefficient_a), h = value(quantity::coefficient_h);
-    const mpq_class c = value(quantity::coefficient_c);
-    const mpq_class R = mpq_class(p.a.radius) + mpq_class(b.radius);
-    borders found;
-    found.met = static_cast<encounter>(right.met().what);
-    found.receding = std::sqrt(ratio(h * h, a * (c + R * R)));
-    found.overlapping = ratio(abs(c), c + 2 * R * R);
-    found.hitting = ratio(abs(h * h - a * c), h * h + abs(a * c));
-    return found;
+std::optional<asked> ask(const goal& g, const precision::pair<N>& held) {
+    for (const auto* formula : g.formulas) {
+        try {
+            if (auto given = (*formula)(held)) {
+                return asked{formula, std::move(given)};
+            }
+        } catch (const std::exception&) {
+            return asked{formula, std::nullopt};
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<double> score_of_decision(const goal& g, const any_pair& p) {
     return std::visit(
-        [&](const auto& drawn) -> std::optional<double> {
-            const auto q = precision::held(drawn, g.formula->type);
-            if (!q || q->other.index() != 0) {
+        [&]<int N>(const precision::pair<N>& drawn) -> std::optional<double> {
+            const auto q = precision::held(drawn, g.formulas.front()->type);
+            const auto found = q ? ask(g, *q) : std::nullopt;
+            if (!found) {
                 return std::nullopt;
             }
-            const borders near = borders_of(*q, std::get<0>(q->other));
-            std::optional<graze::precision::answer> given;
-            try {
-                given = (*g.formula)(*q);
-            } catch (const std::exception&) {
-                return std::nullopt; // no decision, so not a wrong one
+            if (!found->given) { // no decision is a wrong one where one is promised
+                return found->formula->correctly_rounded ? std::optional(found_from) : std::nullopt;
             }
-            if (!given || !given->what) {
-                return std::nullopt;
+            const borders<N> near(*q);
+            const auto bits_of = [](const mpq_class& square) {
+                return square == 0 ? -found_from : std::max(bits_of_root(square), 1 - found_from);
+            };
+            if (const auto wrong_by = near.square_to(*found->given)) {
+                const double bits = bits_of(*wrong_by);
+                return *wrong_by == 0 ? found_from : 2 * found_from + (g.what == aim::nearest ? -bits : bits);
             }
-            if (const double distance = near.crossed(*given->what); distance > 0) {
-                const double bits = std::log2(distance);
-                return 2 * found_from + (g.what == aim::nearest ? -bits : bits);
-            }
-            const double least = std::min({near.receding, near.overlapping, near.hitting});
-            return -std::max(std::log2(least), -found_from);
+            return std::min(-bits_of(near.least_square(*found->given)), found_from - 1);
         },
         p);
 }
@@ -82,19 +64,14 @@ std::optional<double> score_of_decision(const goal& g, const any_pair& p) {
 std::optional<double> score_of_work(const goal& g, const any_pair& p) {
     return std::visit(
         [&](const auto& drawn) -> std::optional<double> {
-            const auto q = precision::held(drawn, g.formula->type);
+            const auto q = precision::held(drawn, g.formulas.front()->type);
             if (!q) {
                 return std::nullopt;
             }
             const auto before = work_done();
-            try {
-                if (!(*g.formula)(*q)) {
-                    return std::nullopt;
-                }
-            } catch (const std::exception&) {
-                return std::nullopt; // bad input
-            }
-            return static_cast<double>(work_done() - before);
+            const auto found = ask(g, *q);
+            const bool is_answered = found && found->given; // else bad input
+            return is_answered ? std::optional(static_cast<double>(work_done() - before)) : std::nullopt;
         },
         p);
 }
@@ -122,13 +99,15 @@ std::optional<double> goal::score(const any_pair& p) const {
     case aim::error:
         break;
     }
-    const auto judged = precision::judge_one(*formula, of, p);
-    if (!judged || judged->errors.empty()) {
-        return std::nullopt;
+    for (const auto* formula : formulas) {
+        const auto judged = precision::judge_one(*formula, of, p);
+        if (judged && !judged->errors.empty()) {
+            // Infinite where there is no number: an overflow, which is no loss of bits.
+            const double largest = judged->largest();
+            return std::isfinite(largest) ? std::optional(largest) : std::nullopt;
+        }
     }
-    const double largest =
-        judged->largest(); // infinite where there is no number: an overflow, which is no loss of bits
-    return std::isfinite(largest) ? std::optional(largest) : std::nullopt;
+    return std::nullopt;
 }
 
 bool goal::is_found(double score) const { return what == aim::error || what == aim::fallback || score >= found_from; }
@@ -139,25 +118,16 @@ std::string goal::tell(double score) const {
         std::snprintf(text.data(), text.size(), "error of %.6g units in the last place", score);
     } else if (what == aim::fallback) {
         std::snprintf(text.data(), text.size(), "%.0f basic blocks of work", score);
+    } else if (score == found_from) {
+        return "wrong on the border itself";
     } else if (is_found(score)) {
         const double bits = score - 2 * found_from;
-        std::snprintf(text.data(), text.size(), "wrong at 2^%.2f from the border", what == aim::nearest ? -bits : bits);
+        std::snprintf(text.data(), text.size(), "wrong at 2^%.2f from the border",
+                      logarithm_from(what == aim::nearest ? -bits : bits));
     } else {
-        std::snprintf(text.data(), text.size(), "right at 2^%.2f from the border", -score);
+        std::snprintf(text.data(), text.size(), "right at 2^%.2f from the border", logarithm_from(-score));
     }
     return text.data();
-}
-
-std::optional<double> distance_from_border(const any_pair& p, graze::encounter given) {
-    return std::visit(
-        [&](const auto& q) -> std::optional<double> {
-            if (q.other.index() != 0) {
-                return std::nullopt;
-            }
-            const double distance = borders_of(q, std::get<0>(q.other)).crossed(given);
-            return distance > 0 ? std::optional(distance) : std::nullopt;
-        },
-        p);
 }
 
 } // namespace search

@@ -1,6 +1,7 @@
 #include "kept.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -54,11 +55,17 @@ class values {
     std::uint64_t number(const std::string& name) { return to_number(name, text(name)); }
     double real(const std::string& name) {
         const std::string word = text(name);
+        std::size_t used = 0;
+        double number = 0;
         try {
-            return std::stod(word);
+            number = std::stod(word, &used);
         } catch (const std::logic_error&) {
+            used = 0;
+        }
+        if (used == 0 || used != word.size() || !std::isfinite(number)) {
             throw std::runtime_error(name + ": \"" + word + "\" is not a number");
         }
+        return number;
     }
     static std::uint64_t to_number(const std::string& name, const std::string& word) {
         std::size_t used = 0;
@@ -68,7 +75,7 @@ class values {
         } catch (const std::logic_error&) {
             used = 0;
         }
-        if (used == 0 || used != word.size()) {
+        if (used == 0 || used != word.size() || word.find_first_not_of("0123456789") != std::string::npos) {
             throw std::runtime_error(name + ": \"" + word + "\" is not a whole number");
         }
         return number;
@@ -89,16 +96,19 @@ void read_terms(const std::string& line, kept_file& f) {
     const auto slash = shard.find('/');
     f.of.shard = values::to_number("shard", shard.substr(0, slash));
     f.of.shards = values::to_number("shard", slash == std::string::npos ? "" : shard.substr(slash + 1));
+    if (f.of.shard >= f.of.shards) {
+        throw std::runtime_error("shard: \"" + shard + "\" is not i/n with i < n");
+    }
     f.next = v.number("next");
     f.merged = v.number("merged") != 0;
 }
+
+} // namespace
 
 bool same_search(const terms& x, const terms& y) {
     return x.goal == y.goal && x.figure == y.figure && x.families == y.families && x.seed == y.seed &&
            x.evaluations == y.evaluations;
 }
-
-} // namespace
 
 void keep(std::vector<kept_pair>& pairs, kept_pair p) {
     const std::string line = precision::to_line(p.at.pair);
@@ -120,7 +130,7 @@ void keep(std::vector<kept_pair>& pairs, kept_pair p) {
 }
 
 std::string command_of(const terms& t) {
-    return "graze-search --goal " + t.goal + " --figure " + t.figure +
+    return t.program + " --goal " + t.goal + " --figure " + t.figure +
            (t.families.empty() ? "" : " --families " + joined(t.families)) + " --seed " + std::to_string(t.seed) +
            " --evaluations " + std::to_string(t.evaluations);
 }
@@ -167,9 +177,15 @@ kept_file read_kept(const std::filesystem::path& path) {
     for (std::size_t number = 1; std::getline(in, line); ++number) {
         try {
             if (line.starts_with(terms_mark)) {
+                if (has_terms) {
+                    throw std::runtime_error("a second line \"" + std::string(terms_mark) + "\"");
+                }
                 read_terms(line.substr(std::string(terms_mark).size()), f);
                 has_terms = true;
             } else if (line.starts_with(pair_mark)) {
+                if (is_told) {
+                    throw std::runtime_error("no pair since the last line \"" + std::string(pair_mark) + "\"");
+                }
                 values v(line.substr(std::string(pair_mark).size()));
                 next.attempt = v.number("try");
                 next.climbs = v.number("climbs");
@@ -178,6 +194,7 @@ kept_file read_kept(const std::filesystem::path& path) {
                 next.at.score = v.real("score");
                 is_told = true;
                 next.shrunk.clear();
+                next.origin.clear();
             } else if (line.starts_with("# origin: ")) {
                 next.origin = line.substr(10);
             } else if (line.starts_with(shrunk_mark)) {
@@ -188,6 +205,9 @@ kept_file read_kept(const std::filesystem::path& path) {
                 }
                 next.at.pair = precision::from_line(line);
                 if (is_told) {
+                    if (next.origin.empty()) {
+                        throw std::runtime_error("no line \"# origin: \" before the pair");
+                    }
                     f.pairs.push_back(next);
                 } else if (!f.pairs.empty()) {
                     f.pairs.back().shrunk = line;
@@ -201,7 +221,21 @@ kept_file read_kept(const std::filesystem::path& path) {
     if (!has_terms) {
         throw std::runtime_error(path.string() + ": no line \"" + std::string(terms_mark) + "\": not a search's");
     }
+    if (is_told || is_shrunk) {
+        throw std::runtime_error(path.string() + ": ends before its last pair");
+    }
     return f;
+}
+
+void check(const kept_file& file, const goal& g) {
+    for (const kept_pair& p : file.pairs) {
+        const auto score = g.score(p.at.pair);
+        if (!score || *score != p.at.score) {
+            throw std::runtime_error("try " + std::to_string(p.attempt) + " is told as \"" + g.tell(p.at.score) +
+                                     "\", but shows \"" + (score ? g.tell(*score) : "nothing") +
+                                     "\": the formula or its build is another one");
+        }
+    }
 }
 
 kept_file merged(const std::vector<kept_file>& files) {

@@ -14,10 +14,12 @@ struct terms {
     std::string goal, figure;          // "error", "time/lagrange.stable/double"
     std::vector<std::string> families; // of which tries start; none: all
     std::uint64_t seed = 1, evaluations = 20'000;
-    std::uint64_t shard = 0, shards = 1; // takes the tries whose number is `shard` modulo `shards`
-
-    friend bool operator==(const terms&, const terms&) = default;
+    std::uint64_t shard = 0, shards = 1;  // takes the tries whose number is `shard` modulo `shards`
+    std::string program = "graze-search"; // whose command it is: no term
 };
+
+// But for the shard.
+[[nodiscard]] bool same_search(const terms& x, const terms& y);
 
 struct kept_pair {
     found at;
@@ -53,7 +55,10 @@ void write(const std::filesystem::path& path, const kept_file& file, const goal&
 // std::runtime_error with file and line.
 [[nodiscard]] kept_file read_kept(const std::filesystem::path& path);
 
-// Of the same goal, figure, families and seed, with different tries; std::runtime_error for others.
+// std::runtime_error where a pair does not show what the file says of it: the formula or its build is another one.
+void check(const kept_file& file, const goal& g);
+
+// Of the same search; std::runtime_error for others.
 [[nodiscard]] kept_file merged(const std::vector<kept_file>& files);
 
 } // namespace search

@@ -1,10 +1,15 @@
 #!/bin/sh
 # The same on the cores of one machine, or of several (--sshlogin), by GNU parallel. Given again, it goes on. What there
 # is is merged even if a shard found nothing or was stopped; the exit code then tells of it.
-#   sh tests/precision/search/parallel.sh 8
+#   sh tests/precision/search/parallel.sh 8 --goal farthest --figure encounter/lagrange.stable/double --tries 1000
 set -eu
-shards=${1:-$(nproc)} status=0
-parallel --halt never graze-search --goal error --figure time/lagrange.stable/double --tries 1000 \
-    --shard "{}/$shards" --out "found-{}.txt" ::: $(seq 0 $((shards - 1))) || status=$?
-graze-search merge found.txt found-*.txt
+shards=${1:-$(nproc)} search=${GRAZE_SEARCH:-graze-search} status=0
+if [ $# -gt 0 ]; then
+    shift
+fi
+if [ $# -eq 0 ]; then
+    set -- --goal error --figure time/lagrange.stable/double --tries 1000
+fi
+parallel --halt never "$search" "$@" --shard "{}/$shards" --out "found-{}.txt" ::: $(seq 0 $((shards - 1))) || status=$?
+"$search" merge found.txt found-*.txt
 exit "$status"

@@ -1,4 +1,6 @@
-// The command line of graze-search.
+// The command line of a search.
+#include "program.hpp"
+
 #include "run.hpp"
 
 #include <CLI/CLI.hpp>
@@ -41,6 +43,18 @@ void split_shard(options& o) {
     throw std::invalid_argument("--shard " + o.shard + ": i/n with 0 <= i < n expected");
 }
 
+// Of the words of an option.
+CLI::Validator whole_from(std::uint64_t least) {
+    return {[least](std::string& word) -> std::string {
+                const bool is_whole = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+                if (is_whole && word.size() < 20 && std::stoull(word) >= least) {
+                    return {};
+                }
+                return "\"" + word + "\" is not a whole number" + (least > 0 ? " above 0" : "");
+            },
+            ""};
+}
+
 int make_one_try(const options& o, const goal& g) {
     const auto f = repeat(g, families_of(o.of), o.of, *o.attempt, o.climbs, &stop_asked);
     if (!f || !g.is_found(f->score)) {
@@ -54,16 +68,35 @@ int make_one_try(const options& o, const goal& g) {
     return 0;
 }
 
+std::string shard_of(const terms& t) { return " --shard " + std::to_string(t.shard) + "/" + std::to_string(t.shards); }
+
+void check_in(const std::string& path, const kept_file& file, const goal& g) {
+    try {
+        check(file, g);
+    } catch (const std::runtime_error& e) {
+        throw std::runtime_error(path + ": " + e.what());
+    }
+}
+
 int search_on(const options& o, const goal& g) {
+    const auto families = families_of(o.of);
     kept_file file;
     file.of = o.of;
+    if (std::filesystem::is_directory(o.out)) {
+        throw std::runtime_error(o.out + ": is a folder");
+    }
     if (std::filesystem::exists(o.out)) {
         file = read_kept(o.out);
-        if (file.merged || !(file.of == o.of)) {
+        file.of.program = o.of.program;
+        const bool is_shard = file.of.shard == o.of.shard && file.of.shards == o.of.shards;
+        if (file.merged || !is_shard || !same_search(file.of, o.of)) {
             throw std::runtime_error(o.out + ": holds what \"" + command_of(file.of) + "\"" +
-                                     (file.merged ? ", merged," : "") + " found; another --out is needed");
+                                     (file.merged ? ", merged," : shard_of(file.of)) +
+                                     " found; another --out is needed");
         }
+        check_in(o.out, file, g);
     }
+    write(o.out, file, g); // before any work is done that could not be kept
     plan p;
     p.tries = o.tries;
     p.stop = &stop_asked;
@@ -72,7 +105,7 @@ int search_on(const options& o, const goal& g) {
         std::puts(line.c_str());
         std::fflush(stdout);
     };
-    const bool done = go_on(file, g, families_of(o.of), p);
+    const bool done = go_on(file, g, families, p);
     write(o.out, file, g);
     if (!done) {
         std::printf("stopped before try %ju of %ju; the same command goes on from %s\n",
@@ -96,10 +129,23 @@ int merge(const options& o, const graze::precision::subjects& formulas) {
     std::vector<kept_file> files;
     for (const std::string& path : o.merged_from) {
         files.push_back(read_kept(path));
+        files.back().of.program = o.of.program;
     }
     const kept_file all = merged(files);
-    write(o.merged_into, all, goal_of(all.of, formulas));
-    std::printf("%zu of %zu files kept in %s\n", all.pairs.size(), files.size(), o.merged_into.c_str());
+    const goal g = goal_of(all.of, formulas);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        check_in(o.merged_from[i], files[i], g);
+    }
+    if (std::filesystem::exists(o.merged_into)) {
+        kept_file before = read_kept(o.merged_into);
+        before.of.program = o.of.program;
+        if (!before.merged || !same_search(before.of, all.of)) {
+            throw std::runtime_error(o.merged_into + ": is to be written, but holds what \"" + command_of(before.of) +
+                                     (before.merged ? "\", merged," : shard_of(before.of) + "\"") + " found");
+        }
+    }
+    write(o.merged_into, all, g);
+    std::printf("%zu pairs of %zu files kept in %s\n", all.pairs.size(), files.size(), o.merged_into.c_str());
     return 0;
 }
 
@@ -119,39 +165,55 @@ int chosen(const CLI::App& merging, options& o, const graze::precision::subjects
 
 } // namespace
 
-int run(int argc, char** argv, const graze::precision::subjects& formulas) {
+int run(int argc, char** argv, const graze::precision::subjects& formulas, const std::string& name) {
     CLI::App app{
         "Looks for pairs that are worse for a formula than random ones: ranges of the inputs are halved in the "
         "order of the floats and the worse half is kept, again from many starts; then bits are changed one by "
         "one as long as that makes it worse; then the numbers are made simpler. What is found is kept in a "
         "file that the precision suite reads. Stopped (SIGINT, SIGTERM) or out of tries, the same command "
         "goes on.",
-        "graze-search"};
+        name};
     options o;
     o.of.goal = "error";
+    o.of.program = name;
     app.add_option("--goal", o.of.goal,
-                   "error: largest; nearest, farthest: a wrong decision of two balls by its distance from the border; "
+                   "error: largest; nearest, farthest: a wrong decision by its distance from the border; "
                    "fallback: the most basic blocks executed")
         ->capture_default_str();
     app.add_option("--figure", o.of.figure, "quantity/variant/type, as time/lagrange.stable/double");
     app.add_option("--families", o.of.families, "Start from these, separated by commas, instead of all")
         ->delimiter(',');
-    app.add_option("--seed", o.of.seed, "Of the tries")->capture_default_str();
-    app.add_option("--evaluations", o.of.evaluations, "For one try")->capture_default_str();
-    app.add_option("--tries", o.tries, "Of all shards together")->capture_default_str();
-    app.add_option("--shard", o.shard, "i/n: every n-th try, from the i-th on; the files are merged afterwards")
+    app.add_option("--seed", o.of.seed, "Of the tries")->check(whole_from(0))->capture_default_str();
+    app.add_option("--evaluations", o.of.evaluations, "For one try")->check(whole_from(1))->capture_default_str();
+    auto* const tries =
+        app.add_option("--tries", o.tries, "Of all shards together")->check(whole_from(1))->capture_default_str();
+    auto* const shard =
+        app.add_option("--shard", o.shard, "i/n: every n-th try, from the i-th on; the files are merged afterwards")
+            ->capture_default_str();
+    auto* const out = app.add_option("--out", o.out, "What is kept, and gone on from")->capture_default_str();
+    auto* const attempt = app.add_option("--try", o.attempt, "This try alone, printed: what an origin's command says")
+                              ->check(whole_from(0))
+                              ->excludes(tries)
+                              ->excludes(shard)
+                              ->excludes(out);
+    app.add_option("--climbs", o.climbs, "With --try: how often it is given --evaluations")
+        ->needs(attempt)
+        ->check(whole_from(1))
         ->capture_default_str();
-    app.add_option("--out", o.out, "What is kept, and gone on from")->capture_default_str();
-    app.add_option("--try", o.attempt, "This try alone, printed: what an origin's command says");
-    app.add_option("--climbs", o.climbs, "With --try: how often it is given --evaluations")->capture_default_str();
     CLI::App* const merging = app.add_subcommand("merge", "Keeps the worst pairs of several files in one");
-    merging->add_option("out", o.merged_into, "The file to write")->required();
-    merging->add_option("in", o.merged_from, "Files of one search's shards")->required()->check(CLI::ExistingFile);
-    CLI11_PARSE(app, argc, argv);
+    merging->add_option("out", o.merged_into, "The file to write; none, or what was merged before")->required();
+    merging->add_option("in", o.merged_from, "Files of one search's shards")->required();
     try {
+        app.parse(argc, argv);
+        const bool has_options = std::ranges::any_of(app.get_options(), [](const auto* x) { return x->count() != 0; });
+        if (merging->parsed() && has_options) {
+            throw std::invalid_argument("merge takes its files alone, and no options before it");
+        }
         return chosen(*merging, o, formulas);
+    } catch (const CLI::Success& asked) { // for help
+        return app.exit(asked);
     } catch (const std::exception& e) {
-        std::fprintf(stderr, "graze-search: %s\n", e.what());
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), e.what());
         return 2;
     }
 }

@@ -1,13 +1,11 @@
 #include "run.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <limits>
 
 namespace search {
 
 namespace {
-
-constexpr std::size_t starts_a_family = 400;
 
 std::string origin_of(const terms& t, const kept_pair& p) {
     return command_of(t) + " --try " + std::to_string(p.attempt) + " --climbs " + std::to_string(p.climbs);
@@ -19,12 +17,20 @@ bool is_kept(const std::vector<kept_pair>& pairs, const kept_pair& p) {
            static_cast<std::ptrdiff_t>(most_kept);
 }
 
-// The best pair that is still climbing and was not taken in this round.
-kept_pair* next_climber(std::vector<kept_pair>& pairs, const std::vector<std::uint64_t>& taken) {
-    const auto at = std::ranges::find_if(pairs, [&](const kept_pair& p) {
-        return p.at.climbing && !p.partial && std::ranges::count(taken, p.attempt) == 0;
-    });
+// The best pair that is still climbing and climbed fewer times than this.
+kept_pair* next_climber(std::vector<kept_pair>& pairs, std::uint64_t climbs) {
+    const auto at = std::ranges::find_if(
+        pairs, [&](const kept_pair& p) { return p.at.climbing && !p.partial && p.climbs < climbs; });
     return at == pairs.end() ? nullptr : &*at;
+}
+
+// A round lets those climb that did so the fewest times, to this number: stopped within, it goes on with the rest.
+std::uint64_t climbs_of_round(const std::vector<kept_pair>& pairs) {
+    std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max() - 1;
+    for (const kept_pair& p : pairs) {
+        fewest = p.at.climbing && !p.partial ? std::min(fewest, p.climbs) : fewest;
+    }
+    return fewest + 1;
 }
 
 } // namespace
@@ -79,14 +85,13 @@ bool go_on(kept_file& file, const goal& g, const std::vector<precision::family>&
         }
         save();
     }
-    std::vector<std::uint64_t> taken;
+    const std::uint64_t climbs = climbs_of_round(file.pairs);
     while (was_done && !stopped()) {
-        kept_pair* const at = next_climber(file.pairs, taken);
+        kept_pair* const at = next_climber(file.pairs, climbs);
         if (at == nullptr) {
             break;
         }
         kept_pair k = *at;
-        taken.push_back(k.attempt);
         allowance left{file.of.evaluations, p.stop};
         climb(g, k.at, left);
         ++k.climbs;
@@ -94,43 +99,6 @@ bool go_on(kept_file& file, const goal& g, const std::vector<precision::family>&
         save();
     }
     return file.next >= p.tries && !stopped();
-}
-
-goal goal_of(const terms& t, const graze::precision::subjects& formulas) {
-    goal g;
-    g.what = aim_from(t.goal);
-    std::string known;
-    for (const auto& s : formulas) {
-        for (const precision::quantity q : graze::precision::all_quantities) {
-            const bool named = std::string(to_string(q)) + "/" + s->variant + "/" + s->type.name == t.figure;
-            if (named && g.formula == nullptr) {
-                g.of = q;
-                g.formula = s.get();
-            }
-        }
-        known += (known.empty() ? "" : ", ") + s->variant + "/" + s->type.name;
-    }
-    if (g.formula == nullptr) {
-        throw std::invalid_argument("the figure is \"" + t.figure +
-                                    "\", not a quantity, a variant and a type, as "
-                                    "time/lagrange.stable/double; variants and types: " +
-                                    known);
-    }
-    return g;
-}
-
-std::vector<precision::family> families_of(const terms& t) {
-    std::vector<precision::family> all = precision::drawn_families(starts_a_family, t.seed);
-    if (t.families.empty()) {
-        return all;
-    }
-    for (const std::string& name : t.families) {
-        if (std::ranges::find(all, name, &precision::family::name) == all.end()) {
-            throw std::invalid_argument("there is no family \"" + name + "\"");
-        }
-    }
-    std::erase_if(all, [&](const precision::family& f) { return std::ranges::count(t.families, f.name) == 0; });
-    return all;
 }
 
 } // namespace search

@@ -1,12 +1,17 @@
 #!/bin/sh
-# A search over 64 tasks of a Slurm array, and the merge when all of them have ended:
-#   job=$(sbatch --parsable tests/precision/search/slurm.sh)
+# A search over the tasks of a Slurm array, each a shard, and the merge when all of them have ended:
+#   job=$(sbatch --parsable tests/precision/search/slurm.sh --goal farthest --figure encounter/lagrange.stable/double --tries 100000)
 #   sbatch --dependency=afterany:$job --wrap 'graze-search merge found.txt found-*.txt'
-# Tasks that were stopped by the time limit are given again by the same command: each goes on from its own file.
+# Arguments are those of graze-search, or of the program that GRAZE_SEARCH names. SHARDS, 64 unless given, is how many
+# shards there are, whatever tasks a job has: tasks that were stopped by the time limit are given again by the same
+# command, all of them or, with --array=3,17, some, and each goes on from its own file.
 #SBATCH --array=0-63
 #SBATCH --time=04:00:00
 #SBATCH --ntasks=1
-#SBATCH --signal=TERM@60
+#SBATCH --signal=B:TERM@60
 #SBATCH --requeue
-exec graze-search --goal error --figure time/lagrange.stable/double --tries 100000 \
-    --shard "$SLURM_ARRAY_TASK_ID/64" --out "found-$SLURM_ARRAY_TASK_ID.txt"
+set -eu
+if [ $# -eq 0 ]; then
+    set -- --goal error --figure time/lagrange.stable/double --tries 100000
+fi
+exec "${GRAZE_SEARCH:-graze-search}" "$@" --shard "$SLURM_ARRAY_TASK_ID/${SHARDS:-64}" --out "found-$SLURM_ARRAY_TASK_ID.txt"

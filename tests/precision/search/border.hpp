@@ -1,0 +1,63 @@
+// How far a decision is from the border where it changes, by the oracle.
+//
+// Of a pair, f(t) is the square of the distance between the centre and the other thing, minus r² (of balls, R²): all
+// that decides is the signs of f'(0), f(0) and of the least f ahead. L² is the sum of the squares of the lengths that
+// formulas start from: |Δx|² + R², |x - point|² + r² or |x - corner|² + the edges' |e|² + r². The relative distances
+// are
+//   receding     |f'(0)|/(2 L |Δu|), for balls |h|/(L |Δu|), for a plane the product of two sines
+//   overlapping  |f(0)|/L²
+//   hitting      |least f|/L²; where the centre goes through a wall, (ρ² + r²)/L², ρ being the distance of that place
+//                from the wall's rim. A plane is neither missed nor grazed.
+//   feature      between the touched point and the place on the other feature (the whole plane or line of it) that is
+//                closest to the centre then, by L
+// of which the first three are at most 1.
+#pragma once
+
+#include "../truth.hpp"
+
+#include <graze/precision/subject.hpp>
+
+namespace search {
+
+// Squares of relative distances, exact but for those of features, which are correct to 2^-64 of themselves.
+template <int N>
+class borders {
+  public:
+    // p is valid.
+    explicit borders(const precision::pair<N>& p);
+
+    // From where this answer would be right: of the borders that it is on the wrong side of, the farthest. 0 on the
+    // border. Nothing where it is right. An answer that is no encounter says with its values that there is a collision,
+    // without any that there is none.
+    [[nodiscard]] std::optional<mpq_class> square_to(const graze::precision::answer& given) const;
+
+    // The nearest border, of features too if they were given.
+    [[nodiscard]] mpq_class least_square(const graze::precision::answer& given) const;
+
+  private:
+    struct affine; // a point that moves: at + t by
+
+    [[nodiscard]] mpq_class square_to(oracle::encounter given) const;
+    [[nodiscard]] std::optional<mpq_class> square_to_feature(const graze::precision::answer& given) const;
+    [[nodiscard]] mpq_class square_to_feature(const oracle::piece& other) const;
+    [[nodiscard]] bool tells_feature(const graze::precision::answer& given) const;
+    [[nodiscard]] affine foot_on(const oracle::piece& feature) const;
+    [[nodiscard]] mpq_class least_ahead() const; // f, as described under hitting
+
+    oracle::point<N> w_, u_;
+    std::vector<oracle::point<N>> edges_;
+    oracle::answer met_;
+    oracle::encounter ahead_ = oracle::encounter::hit; // what the least f says
+    mpq_class length_square_;
+    mpq_class receding_, overlapping_, hitting_;
+};
+
+extern template class borders<2>;
+extern template class borders<3>;
+
+// Log2 of the root of x > 0, but for straight lines between powers of two: the same on every machine.
+[[nodiscard]] double bits_of_root(const mpq_class& x);
+// Log2 itself, from such bits.
+[[nodiscard]] double logarithm_from(double bits);
+
+} // namespace search

@@ -1,0 +1,14 @@
+// What a program of graze_add_hard_case_search does.
+#pragma once
+
+#include <graze/precision/subject.hpp>
+
+#include <string>
+
+namespace search {
+
+// The program, called `name` in origins: its exit code is 0 when all was done, 1 when nothing was found, 2 for a wrong
+// option or file, 3 when it was stopped.
+[[nodiscard]] int run(int argc, char** argv, const graze::precision::subjects& formulas, const std::string& name);
+
+} // namespace search
