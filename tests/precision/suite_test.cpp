@@ -9,12 +9,50 @@
 #include <fstream>
 #include <sstream>
 
+namespace suite_test {
+
+// Decimal numbers of three digits, of which no more is asked than where they begin and end.
+struct decimal {
+    double value = 0;
+    decimal() = default;
+    explicit decimal(int i) : value(i) {}
+    friend decimal operator+(decimal x, decimal) { return x; }
+    friend decimal operator-(decimal x, decimal) { return x; }
+    friend decimal operator*(decimal x, decimal) { return x; }
+    decimal operator-() const { return *this; }
+};
+
+} // namespace suite_test
+
+template <>
+struct graze::number_traits<suite_test::decimal> {
+    static constexpr const char* name = "decimal";
+    static constexpr bool is_exact = false;
+    static constexpr int digits = 7;
+    static int sign(suite_test::decimal x) { return x.value < 0 ? -1 : x.value > 0; }
+};
+template <>
+struct std::numeric_limits<suite_test::decimal> {
+    static constexpr bool is_specialized = true;
+    static constexpr int radix = 10, digits10 = 3;
+};
+template <>
+struct graze::precision::number_access<suite_test::decimal> {
+    static suite_test::decimal from(double x) {
+        suite_test::decimal d;
+        d.value = x;
+        return d;
+    }
+    static reading read(suite_test::decimal d) { return {{std::round(d.value * 1000)}, 0, -3}; }
+};
+
 namespace {
 
 using graze::precision::answer;
 using graze::precision::quantity;
 using precision::any_pair;
 using precision::pair;
+using suite_test::decimal;
 
 // Answers that D is 16 and so many quarters of its unit in the last place, 2^-48.
 template <int Quarters>
@@ -27,17 +65,6 @@ struct beside_16 {
         a.values.front().components.front().parts.push_back(Quarters * 0x1p-50);
         return a;
     }
-};
-
-// Decimal numbers of three digits, of which no more is asked than where they begin and end.
-struct decimal {
-    double x;
-    explicit decimal(int i) : x(i) {}
-    friend decimal operator+(decimal x, decimal) { return x; }
-    friend decimal operator-(decimal x, decimal) { return x; }
-    friend decimal operator*(decimal x, decimal) { return x; }
-    decimal operator-() const { return *this; }
-    friend bool operator<(decimal x, decimal y) { return x.x < y.x; }
 };
 
 // Answers that D is so many thousandths.
@@ -63,27 +90,6 @@ precision::verdict judged() {
 }
 
 } // namespace
-
-template <>
-struct graze::number_traits<decimal> {
-    static constexpr const char* name = "decimal";
-    static constexpr bool is_exact = false;
-    static constexpr int digits = 7;
-};
-template <>
-struct std::numeric_limits<decimal> {
-    static constexpr bool is_specialized = true;
-    static constexpr int radix = 10, digits10 = 3;
-};
-template <>
-struct graze::precision::number_access<decimal> {
-    static decimal from(double x) {
-        decimal d(0);
-        d.x = x;
-        return d;
-    }
-    static reading read(decimal d) { return {{std::round(d.x * 1000)}, 0, -3}; }
-};
 
 TEST_CASE("errors are fractions of a unit in the last place") {
     CHECK(judged<0>().largest() == 0);
