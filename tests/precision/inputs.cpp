@@ -113,8 +113,11 @@ std::string json(const graze::ball<N, double>& b) {
 }
 
 template <int N>
-std::string scene_of(const pair<N>& p, const std::string& name) {
+std::string scene_of(const pair<N>& p, const std::string& name, const pair<N>* other) {
     std::string balls = json(p.a), rest;
+    if (other != nullptr) {
+        balls = json(other->a) + ",\n    " + json(std::get<graze::ball<N, double>>(other->other)) + ",\n    " + balls;
+    }
     if (const auto* b = std::get_if<graze::ball<N, double>>(&p.other)) {
         balls += ",\n    " + json(*b);
     } else if (const auto* plane = std::get_if<graze::plane<N, double>>(&p.other)) {
@@ -182,8 +185,12 @@ any_pair from_line(const std::string& line) {
     return dimension == "2" ? pair_from<2>(index, numbers) : pair_from<3>(index, numbers);
 }
 
-std::string to_scene(const any_pair& p, const std::string& name) {
-    return std::visit([&]<int N>(const pair<N>& q) { return scene_of<N>(q, name); }, p);
+std::string to_scene(const any_pair& p, const std::string& name, const any_pair* other) {
+    return std::visit(
+        [&]<int N>(const pair<N>& q) {
+            return scene_of<N>(q, name, other == nullptr ? nullptr : &std::get<pair<N>>(*other));
+        },
+        p);
 }
 
 std::vector<family> drawn_families(std::size_t count, std::uint64_t seed) {

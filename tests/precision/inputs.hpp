@@ -29,8 +29,8 @@ void set_numbers(pair<N>& p, const std::vector<double>& numbers);
 // std::runtime_error that says what is wrong with it.
 [[nodiscard]] any_pair from_line(const std::string& line);
 
-// As a scene that graze-compare reads.
-[[nodiscard]] std::string to_scene(const any_pair& p, const std::string& name);
+// As a scene that graze-compare reads. other: two balls, which are in it as well.
+[[nodiscard]] std::string to_scene(const any_pair& p, const std::string& name, const any_pair* other = nullptr);
 
 // The pairs of one name, in order.
 struct family {
