@@ -1,5 +1,6 @@
 #include "accepted.hpp"
 
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -21,11 +22,17 @@ std::string number(double x) {
     return text;
 }
 
-// Of any size: what underflows is 0 or subnormal, what overflows infinite.
-bool is_number(const std::string& text, double& x) {
+// An error of any size: what underflows is 0 or subnormal, what overflows infinite. A NaN is none: nothing would be
+// worse.
+bool is_error(const std::string& text, double& x) {
     char* end = nullptr;
     x = std::strtod(text.c_str(), &end);
-    return !text.empty() && end == text.c_str() + text.size();
+    return !text.empty() && end == text.c_str() + text.size() && x >= 0;
+}
+
+bool is_count(const std::string& text, std::size_t& n) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+    return error == std::errc() && end == text.data() + text.size();
 }
 
 std::string whole_text(const std::filesystem::path& file) {
@@ -35,6 +42,9 @@ std::string whole_text(const std::filesystem::path& file) {
 
 void read_file(const std::filesystem::path& file, quantity q, accepted_figures& lines) {
     std::ifstream in(file);
+    if (!in) {
+        throw std::runtime_error(file.string() + ": cannot be read");
+    }
     std::string line;
     for (std::size_t n = 1; std::getline(in, line); ++n) {
         if (line.empty() || line.front() == '#') {
@@ -46,11 +56,18 @@ void read_file(const std::filesystem::path& file, quantity q, accepted_figures& 
         key k;
         k.of = q;
         figures& f = a.accepted;
-        std::string largest, median, rest;
-        words >> k.variant >> k.type >> k.family >> f.pairs >> f.wrong >> f.values >> f.misrounded >> largest >> median;
-        if (!words || !is_number(largest, f.largest) || !is_number(median, f.median) || words >> rest) {
+        std::string pairs, wrong, values, misrounded, largest, median, rest;
+        words >> k.variant >> k.type >> k.family >> pairs >> wrong >> values >> misrounded >> largest >> median;
+        const bool understood = words && is_count(pairs, f.pairs) && is_count(wrong, f.wrong) &&
+                                is_count(values, f.values) && is_count(misrounded, f.misrounded) &&
+                                is_error(largest, f.largest) && is_error(median, f.median) && !(words >> rest);
+        if (!understood) {
             throw std::runtime_error(file.string() + ":" + std::to_string(n) +
                                      ": not a variant, a type, a family and six figures: " + line);
+        }
+        if (f.wrong > f.pairs || f.misrounded > f.values) {
+            throw std::runtime_error(file.string() + ":" + std::to_string(n) +
+                                     ": more wrong than pairs, or misrounded than values: " + line);
         }
         if (!lines.emplace(k, a).second) {
             throw std::runtime_error(file.string() + ":" + std::to_string(n) + ": " + to_string(k) +
@@ -63,12 +80,15 @@ void read_file(const std::filesystem::path& file, quantity q, accepted_figures& 
 
 double as_told(double error) {
     double told = 0;
-    is_number(number(error), told);
+    is_error(number(error), told);
     return told;
 }
 
 accepted_figures read_accepted(const std::filesystem::path& folder) {
     accepted_figures lines;
+    if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder)) {
+        throw std::runtime_error(folder.string() + ": no folder of accepted figures");
+    }
     for (const quantity q : graze::precision::all_quantities) {
         if (const auto file = file_of(folder, q); std::filesystem::exists(file)) {
             read_file(file, q, lines);
@@ -105,12 +125,16 @@ std::vector<std::filesystem::path> write_accepted(const std::filesystem::path& f
         }
         touched.insert(k.of);
         accepted_line& line = after[k];
-        line.accepted = f;
+        if (!line.expected_to_fail) { // that is a goal
+            line.accepted = f;
+        }
     }
     std::vector<std::filesystem::path> written;
     std::filesystem::create_directories(folder);
     for (const quantity q : touched) {
-        std::filesystem::path file = file_of(folder, q);
+        const std::filesystem::path file = file_of(folder, q);
+        std::filesystem::path renewed = file;
+        renewed += ".new";
         // The command alone is no change.
         const auto figures_in = [](const std::string& text) {
             const auto at = text.find("\n# variant ");
@@ -118,17 +142,18 @@ std::vector<std::filesystem::path> write_accepted(const std::filesystem::path& f
         };
         const std::string text = text_of(q, after, command);
         if (figures_in(whole_text(file)) == figures_in(text)) {
+            std::filesystem::remove(renewed); // of an earlier run
             continue;
         }
-        if (how == update::renewed) {
-            file += ".new";
-        }
-        std::ofstream out(file);
+        std::ofstream out(renewed);
         out << text;
         if (!out.flush()) {
-            throw std::runtime_error(file.string() + ": cannot be written");
+            throw std::runtime_error(renewed.string() + ": cannot be written");
         }
-        written.push_back(file);
+        if (how == update::all) {
+            std::filesystem::rename(renewed, file);
+        }
+        written.push_back(how == update::all ? file : renewed);
     }
     return written;
 }

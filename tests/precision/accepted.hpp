@@ -27,7 +27,7 @@ using accepted_figures = std::map<key, accepted_line>;
 enum class update { no, renewed, all };
 
 // Writes what would change: beside each file, as *.accepted.new, or in its place. Keys of types that were not measured
-// keep their lines. Returns the files that were written.
+// keep their lines, and so do those that are expected to fail. Returns the files that were written.
 std::vector<std::filesystem::path> write_accepted(const std::filesystem::path& folder, const accepted_figures& before,
                                                   const all_figures& measured, update how, const std::string& command);
 

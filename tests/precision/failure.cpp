@@ -113,13 +113,48 @@ std::string expected_and_actual(const key& k, const subject& formula, const pair
     return text.empty() ? "    actual: nothing\n" : text;
 }
 
+std::string order_in_words(int order) {
+    return order < 0 ? "the first pair comes first" : order > 0 ? "the second pair comes first" : "both come at once";
+}
+
+std::string expected_and_actual_order(const subject& formula, const any_pair& first, const any_pair& second) {
+    return std::visit(
+        [&]<int N>(const pair<N>& p) -> std::string {
+            const pair<N>& q = std::get<pair<N>>(second);
+            const auto about_p = truth_for(p, formula.type), about_q = truth_for(q, formula.type);
+            if (!about_p || !about_q) {
+                return {};
+            }
+            const std::string expected = order_in_words(oracle::compare(*about_p->met().time, *about_q->met().time));
+            std::string actual;
+            try {
+                const auto given = formula(p, q);
+                actual = given && given->order ? order_in_words(*given->order) : "nothing";
+            } catch (const std::exception& e) {
+                actual = std::string("an exception: ") + e.what();
+            }
+            return "    expected: " + expected + "\n    actual:   " + actual + "\n";
+        },
+        first);
+}
+
 std::string file_name(const key& k) {
     std::string name = to_string(k);
     std::replace(name.begin(), name.end(), '/', '-');
     return name;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+void write(const std::filesystem::path& file, const std::string& text) {
+    if (!(std::ofstream(file) << text).flush()) {
+        throw std::runtime_error(file.string() + ": cannot be written");
+    }
+}
+
+// A greater share of the values, by their cross products.
+bool more_are_misrounded(const figures& now, const figures& accepted) {
+    return now.misrounded != 0 &&
+           now.misrounded * std::max<std::size_t>(accepted.values, 1) > accepted.misrounded * now.values;
+}
 
 // The worst pair and the question whether another one is as bad.
 struct witness {
@@ -134,7 +169,7 @@ std::optional<witness> witness_of(const figures& now, const figures& accepted) {
     if (now.wrong > accepted.wrong && now.wrong_at) {
         return witness{*now.wrong_at, [](const verdict& v) { return v.wrong; }};
     }
-    if (now.misrounded_at) {
+    if (now.misrounded_at && more_are_misrounded(now, accepted)) {
         return witness{*now.misrounded_at, [](const verdict& v) { return v.misrounded != 0; }};
     }
     return std::nullopt;
@@ -151,9 +186,7 @@ std::vector<std::string> losses(const figures& now, const figures& accepted) {
         worse.push_back("wrong decisions: " + share(accepted.wrong, accepted.pairs) + " -> " +
                         share(now.wrong, now.pairs));
     }
-    // Shares, by their cross products.
-    if (now.misrounded * std::max<std::size_t>(accepted.values, 1) > accepted.misrounded * now.values &&
-        now.misrounded != 0) {
+    if (more_are_misrounded(now, accepted)) {
         worse.push_back("misrounded: " + share(accepted.misrounded, accepted.values) + " -> " +
                         share(now.misrounded, now.values));
     }
@@ -170,15 +203,27 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
     for (const std::string& loss : losses(now, accepted)) {
         text += "  " + loss + "\n";
     }
-    std::string repeat = about.program + " --only " + to_string(k) + " " + about.inputs_option + about.accepted_option;
+    std::string repeat = about.program + " --only " + to_string(k) + " " + about.inputs_option + about.accepted_option +
+                         " --results " + about.results.string();
     if (const auto found = witness_of(now, accepted)) {
-        const any_pair* other = k.of == quantity::order ? &pairs.pairs[found->at - 1] : nullptr;
-        const auto is_bad = [&](const any_pair& p) {
-            const auto v = judge_one(formula, k.of, other == nullptr ? p : *other, other == nullptr ? nullptr : &p);
+        const bool is_order = k.of == quantity::order; // of a pair and the one before it
+        const auto is_bad = [&](const any_pair& p, const any_pair* second) {
+            const auto v = judge_one(formula, k.of, p, second);
             return v && found->is_bad(*v);
         };
-        any_pair smallest = shrunk(pairs.pairs[found->at], is_bad);
-        smallest = std::visit([&](const auto& p) -> any_pair { return held(p, formula.type).value_or(p); }, smallest);
+        const auto as_held = [&](const any_pair& p) {
+            return std::visit([&](const auto& q) -> any_pair { return held(q, formula.type).value_or(q); }, p);
+        };
+        any_pair smallest = pairs.pairs[found->at];
+        std::optional<any_pair> before;
+        if (is_order) {
+            before = pairs.pairs[found->at - 1];
+            smallest = shrunk(smallest, [&](const any_pair& p) { return is_bad(*before, &p); });
+            before = as_held(shrunk(*before, [&](const any_pair& p) { return is_bad(p, &smallest); }));
+        } else {
+            smallest = shrunk(smallest, [&](const any_pair& p) { return is_bad(p, nullptr); });
+        }
+        smallest = as_held(smallest);
         std::filesystem::create_directories(about.results);
         const std::filesystem::path base = about.results / file_name(k);
         const auto with = [&](const char* suffix) {
@@ -187,15 +232,21 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
             return file;
         };
         std::string lines = "# origin: " + repeat + ", pair " + std::to_string(found->at) + ", shrunk\n";
-        lines += (other != nullptr ? to_line(*other) + "\n" : "") + to_line(smallest) + "\n";
+        lines += (before ? to_line(*before) + "\n" : "") + to_line(smallest) + "\n";
         write(with(".txt"), lines);
-        write(with(".json"), to_scene(smallest, file_name(k)));
+        write(with(".json"), to_scene(smallest, file_name(k), before ? &*before : nullptr));
         text += "  on the smallest input found, from pair " + std::to_string(found->at) + ":\n";
-        text += std::visit([](const auto& p) { return in_words(p); }, smallest) + "    " + to_line(smallest) + "\n";
-        if (other == nullptr) {
-            text += std::visit([&](const auto& p) { return expected_and_actual(k, formula, p); }, smallest);
+        const auto show = [&](const any_pair& p) {
+            text += std::visit([](const auto& q) { return in_words(q); }, p) + "    " + to_line(p) + "\n";
+        };
+        if (before) {
+            show(*before);
+            text += "    and\n";
         }
-        const auto v = other == nullptr ? judge_one(formula, k.of, smallest) : std::nullopt;
+        show(smallest);
+        text += before ? expected_and_actual_order(formula, *before, smallest)
+                       : std::visit([&](const auto& p) { return expected_and_actual(k, formula, p); }, smallest);
+        const auto v = before ? std::nullopt : judge_one(formula, k.of, smallest);
         if (v && !v->errors.empty()) {
             text += "    error:    " + told(v->largest()) + " units in the last place\n";
         }

@@ -148,7 +148,13 @@ class comparison {
             new_.push_back(k);
             return;
         }
-        figures before = now.correctly_rounded ? figures{} : line->second.accepted;
+        figures before; // what is promised: nothing is wrong
+        if (now.correctly_rounded) {
+            before.pairs = now.pairs;
+            before.values = now.values;
+        } else {
+            before = line->second.accepted;
+        }
         if (other != k) {
             before.pairs = std::min(before.pairs, now.pairs); // a type of another range holds other pairs
         }
@@ -184,8 +190,12 @@ class comparison {
         }
     }
 
-    // Lines whose type was measured and whose family was drawn, and which nothing stands for any more.
+    // Lines whose type was measured and which nothing stands for any more. Where the pairs of files are asked alone,
+    // other families are not expected.
     void look_for_unmeasured() {
+        const auto is_asked = [&](const std::string& name) {
+            return asked_.inputs.empty() && (!name.starts_with("kept.") || !asked_.kept.empty());
+        };
         std::set<std::string> types, drawn;
         for (const auto& s : formulas_) {
             types.insert(s->type.name);
@@ -195,7 +205,7 @@ class comparison {
         }
         for (const auto& [k, line] : accepted_) {
             if (asked_.as_variant.empty() && asked_.as_type.empty() && types.contains(k.type) &&
-                drawn.contains(k.family) && plan_.chooses(k) && !measured_.contains(k)) {
+                (drawn.contains(k.family) || is_asked(k.family)) && plan_.chooses(k) && !measured_.contains(k)) {
                 unmeasured_.push_back(k);
             }
         }
@@ -212,13 +222,26 @@ class comparison {
     std::size_t better_ = 0;
 };
 
+std::filesystem::path results_file(const std::filesystem::path& folder) { return folder / "results.txt"; }
+
+// Takes away what an earlier run said, and finds out before the work whether anything can be written.
+void start_results(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    if (!std::ofstream(results_file(folder))) {
+        throw std::runtime_error(results_file(folder).string() + ": cannot be written");
+    }
+}
+
 void write_results(const options& o, const std::string& flags, const all_figures& measured,
                    const std::vector<key>& losses) {
-    std::filesystem::create_directories(o.results);
-    std::ofstream out(o.results / "results.txt");
+    const std::filesystem::path file = results_file(o.results);
+    std::ofstream out(file);
     out << "flags " << flags << "\nmeasured " << measured.size() << '\n';
     for (const key& k : losses) {
         out << "lost " << to_string(k) << '\n';
+    }
+    if (!out.flush()) {
+        throw std::runtime_error(file.string() + ": cannot be written");
     }
 }
 
@@ -238,6 +261,9 @@ int run_checked(const options& o, const std::string& program, const graze::preci
     };
     const update how = update_asked();
     const accepted_figures accepted = o.accepted.empty() ? accepted_figures{} : read_accepted(o.accepted);
+    if (!o.show) {
+        start_results(o.results);
+    }
     const all_figures measured = measure(formulas, what);
     if (measured.empty()) {
         std::cout << "NOTHING WAS MEASURED: no formula, type, family and --only fit together\n";
