@@ -1,6 +1,6 @@
 // Distances from the border: small ones by hand, and that the decision changes where they say.
 #include "border.hpp"
-#include "goal.hpp"
+#include "figures.hpp"
 
 #include <graze/precision/decisions.hpp>
 #include <graze/precision/formulas.hpp>
@@ -98,6 +98,12 @@ TEST_CASE("a ball and a wall") {
     const any<2> corner{{{8.5, 4}, {0, -1}, 1}, segment};
     CHECK_FALSE(square(corner, on(encounter::hit, feature::corner, 1)));
     CHECK(*square(corner, on(encounter::hit, feature::face, 0)) == ratio(1, 4) / (squared(ratio(17, 2)) + 81));
+
+    // Aslant: corner 0 is touched at t = (9 - √7)/4, at x = (1 - √7)/4 before it.
+    const any<2> aslant{{{-2, 2.5}, {1, -1}, 1}, segment};
+    CHECK_FALSE(square(aslant, on(encounter::hit, feature::corner, 0)));
+    CHECK(square(aslant, on(encounter::hit, feature::face, 0))->get_d() ==
+          doctest::Approx((8 - 2 * std::sqrt(7.0)) / 16 / (4 + 6.25 + 64 + 1)).epsilon(1e-14));
 
     const graze::wall<3> square_wall{{0, 0, 0}, {{{8, 0, 0}, {0, 8, 0}}}};
     // Down at (-3/5, 2): edge 0 (λ_0 = 0) is touched at (0, 2), r = 1; L² = 0.36 + 4 + 16 + 128 + 1.
@@ -205,4 +211,40 @@ TEST_CASE(
     CHECK(wrong > 20);
     CHECK(wrong_feature > 0);
     CHECK(radii > 50);
+}
+
+TEST_CASE("graze's own decisions are not found, of balls, planes and walls; naive ones on the border are, last") {
+    graze::precision::subjects formulas;
+    graze::precision::add<graze::precision::exact_decision_of_balls, double>(formulas);
+    graze::precision::add<graze::precision::exact_decision_of_walls, double>(formulas);
+    graze::precision::add<graze::precision::solution_in<graze::variant::halved, graze::root_form::stable>, double>(
+        formulas);
+    const auto families = precision::drawn_families(40, 3);
+    std::size_t asked = 0, on_border = 0, found = 0;
+    for (const char* const aim : {"nearest", "farthest"}) {
+        const auto own = search::goal_of({aim, "encounter/classify/double", {}}, formulas);
+        const auto naive = search::goal_of({aim, "encounter/halved.stable/double", {}}, formulas);
+        CHECK(own.formulas.size() == 2);
+        for (const auto& family : families) {
+            CAPTURE(family.name);
+            for (const auto& p : family.pairs) {
+                const auto score = own.score(p), of_naive = naive.score(p);
+                REQUIRE(score);
+                CHECK_FALSE(own.is_found(*score));
+                ++asked;
+                if (of_naive && naive.is_found(*of_naive)) {
+                    ++found;
+                    if (naive.tell(*of_naive) == "wrong on the border itself") {
+                        ++on_border;
+                        CHECK(own.tell(*score).starts_with("right at 2^-32767.00")); // cut there
+                    } else {
+                        CHECK(*of_naive > 0x1p15);
+                    }
+                }
+            }
+        }
+    }
+    CHECK(asked == 2 * 40 * families.size());
+    CHECK(on_border > 0);
+    CHECK(found > on_border);
 }

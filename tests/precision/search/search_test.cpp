@@ -189,32 +189,40 @@ TEST_CASE("shards make different tries, and merged they are the whole search") {
                          std::runtime_error);
 }
 
-TEST_CASE("stopped and gone on with, a search finds what it would have found") {
-    const std::string whole = searched(of_error, 5);
+TEST_CASE("stopped and gone on with, a search finds what it would have found, and so does climbing on") {
     const auto g = search::goal_of(of_error, formulas());
     const auto families = search::families_of(of_error);
+    search::kept_file whole;
+    whole.of = of_error;
+    CHECK(search::go_on(whole, g, families, {5, nullptr, {}, {}}));
+    const std::string after_tries = search::text_of(whole, g);
+    CHECK(search::go_on(whole, g, families, {5, nullptr, {}, {}}));
+    const std::string after_climbs = search::text_of(whole, g);
+    CHECK(after_climbs != after_tries);
     const auto path = scratch("stopped");
     search::kept_file file;
     file.of = of_error;
     search::write(path, file, g);
-    int stops = 0;
-    bool within_a_try = false;
-    for (bool done = false; !done; ++stops) { // as often as its calls are used up, mostly within a try
-        REQUIRE(stops < 20);
-        file = search::read_kept(path);
-        const double before = file.pairs.empty() ? 0 : file.pairs.front().at.score;
-        square_of_speed::stop = false;
-        square_of_speed::stop_at = square_of_speed::calls + 8000;
-        search::plan p{5, &square_of_speed::stop, {}, {}};
-        p.saved = [&](const search::kept_file& f) { search::write(path, f, g); };
-        done = search::go_on(file, g, families, p);
-        file = search::read_kept(path);
-        CHECK((file.pairs.empty() ? 0 : file.pairs.front().at.score) >= before); // nothing is lost
-        within_a_try = within_a_try || std::ranges::any_of(file.pairs, &search::kept_pair::partial);
+    for (const std::string& expected : {after_tries, after_climbs}) {
+        int stops = 0;
+        bool within = false;
+        for (bool done = false; !done; ++stops) { // as often as its calls are used up, mostly within a try or climb
+            REQUIRE(stops < 20);
+            file = search::read_kept(path);
+            const double before = file.pairs.empty() ? 0 : file.pairs.front().at.score;
+            square_of_speed::stop = false;
+            square_of_speed::stop_at = square_of_speed::calls + 8000;
+            search::plan p{5, &square_of_speed::stop, {}, {}};
+            p.saved = [&](const search::kept_file& f) { search::write(path, f, g); };
+            done = search::go_on(file, g, families, p);
+            file = search::read_kept(path);
+            CHECK((file.pairs.empty() ? 0 : file.pairs.front().at.score) >= before); // nothing is lost
+            within = within || std::ranges::any_of(file.pairs, &search::kept_pair::partial);
+        }
+        CHECK(stops > 1);
+        CHECK(within);
+        CHECK(search::text_of(search::read_kept(path), g) == expected);
     }
-    CHECK(stops > 1);
-    CHECK(within_a_try);
-    CHECK(search::text_of(search::read_kept(path), g) == whole);
     std::filesystem::remove(path);
 }
 
