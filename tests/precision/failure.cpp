@@ -1,5 +1,6 @@
 #include "failure.hpp"
 
+#include "options.hpp"
 #include "shrink.hpp"
 
 #include <algorithm>
@@ -203,8 +204,9 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
     for (const std::string& loss : losses(now, accepted)) {
         text += "  " + loss + "\n";
     }
-    std::string repeat = about.program + " --only " + to_string(k) + " " + about.inputs_option + about.accepted_option +
-                         " --results " + about.results.string();
+    const std::string program = quoted(about.program);
+    std::string repeat = program + " --only " + quoted(to_string(k)) + " " + about.inputs_option +
+                         about.accepted_option + " --results " + quoted(about.results.string());
     if (const auto found = witness_of(now, accepted)) {
         const bool is_order = k.of == quantity::order; // of a pair and the one before it
         const auto is_bad = [&](const any_pair& p, const any_pair* second) {
@@ -250,9 +252,10 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
         if (v && !v->errors.empty()) {
             text += "    error:    " + told(v->largest()) + " units in the last place\n";
         }
-        text += "  as a scene: graze-compare " + with(".json").string() + "\n";
-        text += "  alone:  " + about.program + " --only " + std::string(graze::precision::to_string(k.of)) + "/" +
-                k.variant + "/" + k.type + "/ --inputs " + with(".txt").string() + " --show\n";
+        text += "  as a scene: graze-compare " + quoted(with(".json").string()) + "\n";
+        const std::string all_of_it = std::string(graze::precision::to_string(k.of)) + "/" + k.variant + "/" + k.type;
+        text += "  alone:  " + program + " --only " + quoted(all_of_it + "/") + " --inputs " +
+                quoted(with(".txt").string()) + " --show\n";
     }
     text += "  compiler: " + about.compiler + "; flags: " + about.flags + "; inputs: " + about.inputs_option + "\n";
     return text + "  repeat: " + repeat + "\n";

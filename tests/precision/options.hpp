@@ -27,4 +27,7 @@ extern const char* const usage;
 // std::invalid_argument that names the option.
 [[nodiscard]] options parse(const std::vector<std::string>& words);
 
+// A word as a shell takes it: in quotes where it needs them.
+[[nodiscard]] std::string quoted(const std::string& word);
+
 } // namespace precision

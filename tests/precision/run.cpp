@@ -65,11 +65,14 @@ std::vector<family> families_asked(const options& o) {
 // The options that name the inputs. short_paths: as the accepted figures tell them, without folders of this machine.
 std::string command_of(const options& o, bool short_paths = false) {
     const auto told = [&](const std::filesystem::path& path) {
-        return short_paths ? path.filename().string() : path.string();
+        return short_paths ? path.filename().string() : quoted(path.string());
     };
-    std::string command = "--pairs " + std::to_string(o.pairs) + " --seed " + std::to_string(o.seed);
+    std::string command;
     for (const auto& path : o.inputs) {
-        command = "--inputs " + told(path);
+        command += (command.empty() ? "--inputs " : " --inputs ") + told(path);
+    }
+    if (o.inputs.empty()) {
+        command = "--pairs " + std::to_string(o.pairs) + " --seed " + std::to_string(o.seed);
     }
     for (const auto& path : o.kept) {
         command += " --kept " + told(path);
@@ -79,7 +82,7 @@ std::string command_of(const options& o, bool short_paths = false) {
 
 std::string accepted_option(const options& o) {
     const bool by_another = !o.as_variant.empty() || !o.as_type.empty();
-    return (o.accepted.empty() ? "" : " --accepted " + o.accepted.string()) +
+    return (o.accepted.empty() ? "" : " --accepted " + quoted(o.accepted.string())) +
            (by_another ? " --as " + o.as_variant + "/" + o.as_type : "");
 }
 
