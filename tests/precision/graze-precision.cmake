@@ -225,7 +225,8 @@ function(graze_add_precision_test name)
         if(arg_EXCLUDE_FROM_ALL)
             add_test(NAME ${this}.build
                 COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --config $<CONFIG> --target ${this})
-            set_tests_properties(${this}.build PROPERTIES FIXTURES_SETUP ${this}.built)
+            set_tests_properties(${this}.build PROPERTIES FIXTURES_SETUP ${this}.built
+                RESOURCE_LOCK graze.build) # one build of a tree at a time
             set_tests_properties(${this} PROPERTIES FIXTURES_REQUIRED ${this}.built)
             list(APPEND tests ${this}.build)
         endif()
