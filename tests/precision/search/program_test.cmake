@@ -97,10 +97,11 @@ if(TIMEOUT)
     expect(0 "kept in undisturbed.txt" ${longer} --out undisturbed.txt) # those still climbing climb on
     set(stops 0)
     set(rounds_done 0)
-    foreach(round RANGE 1 99) # for ever longer, so that even a slow machine comes to an end
-        math(EXPR pause "50 * ${round}")
-        string(REGEX REPLACE "(...)$" ".\\1" pause "000${pause}")
-        execute_process(COMMAND "${TIMEOUT}" --preserve-status --signal=TERM ${pause} "${PROGRAM}" ${longer} --out stopped.txt
+    set(milliseconds 90)
+    foreach(round RANGE 1 40) # for ever longer, so that even a slow machine comes to an end
+        math(EXPR milliseconds "${milliseconds} * 6 / 5")
+        string(REGEX REPLACE "(...)$" ".\\1" seconds "000${milliseconds}")
+        execute_process(COMMAND "${TIMEOUT}" --preserve-status --signal=TERM ${seconds} "${PROGRAM}" ${longer} --out stopped.txt
             WORKING_DIRECTORY "${WORK}" RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
         if(result EQUAL 0)
             math(EXPR rounds_done "${rounds_done} + 1")
