@@ -80,7 +80,7 @@ template <int N, class T, class P, class Inputs>
 
 // The sign of τ(x) - τ(y).
 template <int N, class T>
-[[nodiscard]] constexpr int compare_exactly(const event<N, T>& x, const event<N, T>& y) {
+[[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const event<N, T>& y) {
     return with_pair<N>(x.kind, [&]<class P>(P p) {
         return with_pair<N>(y.kind, [&]<class R>(R r) {
             auto inputs_x = lift_row<P>(x.row);
@@ -110,7 +110,7 @@ template <int N, class T>
 
 // The sign of τ(x) - m, m finite. m = M 2^j in the event's unit of time.
 template <int N, class T>
-[[nodiscard]] constexpr int compare_exactly(const event<N, T>& x, const binary& m) {
+[[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const binary& m) {
     return with_pair<N>(x.kind, [&]<class P>(P p) {
         const auto inputs = lift_row<P>(x.row);
         const int power = m.exponent - (inputs.length.exponent - inputs.velocity.exponent);

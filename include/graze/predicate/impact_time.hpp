@@ -53,11 +53,10 @@ class impact_time {
 
     // The sign of *this - y: -1, 0 or 1. The observer is told which stage decided.
     template <class Observer = ignore_stage>
-    [[nodiscard]] constexpr int compare(const impact_time& y, Observer&& observer = {}) const {
-        const bool before = bounds().upper() < y.bounds().lower();
-        if (before || bounds().lower() > y.bounds().upper()) {
+    [[nodiscard, gnu::always_inline]] constexpr int compare(const impact_time& y, Observer&& observer = {}) const {
+        if (bounds().is_apart_from(y.bounds())) [[likely]] {
             observer(stage::filter);
-            return before ? -1 : 1;
+            return near_ < y.near_ ? -1 : 1;
         }
         if (bounds().is_zero() && y.bounds().is_zero()) { // both touch or overlap now
             observer(stage::filter);
