@@ -86,14 +86,15 @@ static_assert([] {
     return x.value + x.error == v<0> + v<1> * (v<2> + v<3>);
 }());
 
-// |y|² - R².
+// |y|² - R² but for the squares of low parts.
 constexpr detail::lane_displacement<true, symbols> y01{factor_of(symbols{{v<0>, v<1>}}), {{v<2>, v<3>}}, {}};
 constexpr detail::lane_displacement<true, symbols> y2{factor_of(symbols{{v<4>, v<5>}}), {{v<6>, v<7>}}, {}};
 constexpr symbol square(const symbol& x) { return x * x; }
 static_assert([] {
     const auto f = detail::distance_residual(y01, y2);
     return f.value[0] + f.value[1] + (f.error[0] + f.error[1]) ==
-           square(v<0> + v<2>) + square(v<1> + v<3>) + square(v<5> + v<7>) - square(v<4> + v<6>);
+           square(v<0> + v<2>) + square(v<1> + v<3>) + square(v<5> + v<7>) - square(v<4> + v<6>) -
+               (square(v<2>) + square(v<3>) + square(v<7>) - square(v<6>));
 }());
 
 // ih + il, ih anything near 1/x: (1 - r²)/x, r = 1 - ih x.

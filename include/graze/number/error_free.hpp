@@ -72,10 +72,14 @@ template <class V>
     return {s, settled(settled(a - a_part) + settled(b - b_part))};
 }
 
-// a - b.
+// a - b: the two_sum of a and -b, which is not formed.
 template <class V>
 [[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V> two_difference(V a, V b) noexcept {
-    return two_sum(a, V(-b));
+    using detail::settled;
+    const V s = settled(a - b);
+    const V b_part = settled(s - a);
+    const V a_part = settled(s - b_part);
+    return {s, settled(settled(a - a_part) - settled(b + b_part))};
 }
 
 // a + b where a = 0 or |a| >= |b|, or a's exponent is at least b's. Dekker's Fast2Sum (1971, Theorem 4.7).

@@ -47,20 +47,20 @@ struct enclosure {
     return std::bit_cast<double>(0x7fe0000000000000U - bits_of(x));
 }
 
-// Around τ = c/d, d = -h + √D, from values ĉ, ĥ, D̂ whose errors are at most error_c, error_h and error_d, where
-// error_root >= error_d + error_h √D and D̂ > 8 error_root; all positive, no over- or underflow. The root ŝ and the time
-// t̂ are right to 2^-47, relatively, since their squares and products say so where the compiler may have put an estimate
-// in the place of the hardware's rounding. With d̂ = -ĥ + ŝ
+// Around τ = c/d, d = -h + √D, from values ĉ, ĥ and D̂ = ĥ² - âĉ > 0 whose errors are at most error_c, error_h and
+// error_d, where error_root >= error_d + error_h √D and D̂ > 8 error_root; all positive, no over- or underflow. The root
+// ŝ and the time t̂ are right to 2^-47, relatively, since their squares and products say so where the compiler may have
+// put an estimate in the place of the hardware's rounding. With d̂ = -ĥ + ŝ
 //   |√D - ŝ| = |D - ŝ²|/(√D + ŝ) <= error_d/ŝ + 2^-48 ŝ,
 //   |d - d̂| <= e := error_root/ŝ + 2^-47 d̂ <= d̂/7, since ŝ <= d̂,
-//   |τ - t̂| = |c - t̂ d|/d <= (error_c + 2^-48 ĉ + t̂ e)/(d̂ - e) <= 7/6 (error_c ŝ + t̂ error_root)/(ŝ d̂) + 2^-46 t̂.
-// What is taken, 3/2 of the first and 2^-45 of the second, covers the roundings of the expression itself. Without a
-// certain enclosure nothing is known.
+//   |τ - t̂| = |c - t̂ d|/d <= (error_c + 2^-48 ĉ + t̂ e)/(d̂ - e) <= 7/6 (error_c + t̂ error_root/ŝ)/d̂ + 2^-46 t̂,
+// and âĉ <= ĥ² <= d̂² (each but for 2^-50 of it) makes t̂/d̂ = ĉ/d̂² at most 1/â: the first is at most 7/6 (error_c +
+// error_root/â)/ŝ. `error` is to be 3/2 of that bracket; it and 2^-45 in place of 2^-46 cover the roundings of the
+// expression itself. Without a certain enclosure nothing is known.
 //
-// For c and d from lengths L and velocities V of a motion with L², V² > 2^-450 and L² V² < 2^570: ŝ d̂ is within
-// 2^-1000 and 2^573, as D̂ > 2^-50 L² V².
-[[nodiscard]] inline enclosure enclose(double c, double h, double discriminant, double error_c,
-                                       double error_root) noexcept {
+// For c and d from lengths L and velocities V of a motion with L², V² > 2^-450 and L² V² < 2^570: D̂ > 2^-50 L² V², and
+// ŝ is within 2^-500 and 2^287.
+[[nodiscard]] inline enclosure enclose(double c, double h, double discriminant, double error) noexcept {
     const double root = fence(plain_sqrt(discriminant));
     const double denominator = fence(root - h);
     const double time = fence(root_stable{}(c, h, root));
@@ -70,8 +70,7 @@ struct enclosure {
             return {};
         }
     }
-    const double inverse = 1.5 * inverse_or_more(root * denominator);
-    return {time, time * (error_root * inverse + 0x1p-45) + error_c * (root * inverse)};
+    return {time, error * inverse_or_more(root) + 0x1p-45 * time};
 }
 
 // Around the smaller root of an exact quadratic with a > 0, h < 0, c >= 0 and D >= 0 whose unit of time is 2^unit.

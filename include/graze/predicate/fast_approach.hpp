@@ -60,14 +60,14 @@ displacement(const exact_pair<V>& dx, const exact_pair<V>& du, const factor<V, F
     return {as_factor<Fused>(sum.value), sum.error + (way.error + (dx.error + du.error * t0.value)), speed};
 }
 
-// |y|² - R², y2's first lane R, in two lanes of a value and a low part each.
+// |y|² - R², y2's first lane R, in two lanes of a value and a low part each; but for the squares of low parts.
 template <bool Fused, class V>
 [[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
 distance_residual(const lane_displacement<Fused, V>& y01, const lane_displacement<Fused, V>& yR2) noexcept {
     const auto square01 = two_square(y01.high);
     const auto squareR2 = two_square(yR2.high);
     const auto low_terms = [](const auto& y, const exact_pair<V>& square) __attribute__((always_inline)) {
-        return V(square.error + y.low * (y.high.value + y.high.value + y.low));
+        return V(square.error + y.low * (y.high.value + y.high.value));
     };
     const V less_R{-1, 1};
     const auto sum = two_sum(square01.value, V(less_R * squareR2.value));
@@ -91,22 +91,24 @@ struct fast_approach {
 
 // The smaller root τ near t0, for D > 0. Let L² = |Δx|² + R², V = |Δu|, y = Δx + Δu t0, f = |y|² - R² and σ = -y·Δu.
 // For σ > 0 the smaller root is t0 + δ with δ = (f + V² δ²)/(2σ) and |δ| <= |f|/σ (as D = σ² - V² f > 0). t1 = f/(2σ)
-// with computed f and σ. `good` means that σ > 0, γ < 2^64 and V² |t1|/σ < 2^-10, for the computed values, and that L²
-// and V² are in ranges where nothing over- or underflows that matters. Then
+// with computed f and σ. `good` means that γ < 2^36 and |t1| < 2^-46 L²/σ (so that σ > 0, and V² |t1|/σ < 2^-46 γ <
+// 2^-10), for the computed values, and that L² and V² are in ranges where nothing over- or underflows that matters.
+// Then
 //   |y|² < 1.0022 R², so σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the balls are apart), t0 < 1.43 L/V,
 //     and with m as above, |m| <= 2.25 L;
 //   |σ̂ - σ| <= 3.01 u |y| V + u (|y| V + 2.25·3.02 L V) <= 10 u L V < 2^-9 σ;
 //   the low terms of f add up to at most u (1 + 1 + 2.02 + 2.01) R² + 2.01·3.02 u |m| R <= 18.1 u L R (errors of the
-//     squares, of R², of the sums, R's error, and yl (2 yh + yl)), with at most 6 roundings each: 109 u² L R; y's error
-//     makes 2.01 R·7.01 u² |m| <= 32 u² L R; the difference that cancels adds 18 u² L R and, with f's last rounding, 2
-//     u |f|. Together |f̂ - f| <= 116 u² L² + 2 u |f|;
-//   |τ - t0 - t1| <= (116 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
-//   0.51
-//     γ: below error := (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included.
+//     squares, of R², of the sums, R's error, and 2 yl yh), with at most 6 roundings each: 109 u² L R; y's error makes
+//     2.01 R·7.01 u² |m| <= 32 u² L R; the difference that cancels adds 18 u² L R and, with f's last rounding, 2 u |f|;
+//     what is left out, |yl|² and R's error squared, is at most (3.02·2.25)² u² L² + u² R² <= 47 u² L². Together
+//     |f̂ - f| <= 163 u² L² + 2 u |f|;
+//   |τ - t0 - t1| <= (163 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
+//     0.51 γ: below (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included, and that, by
+//     V² |t1|/σ < 2^-46 γ, below error := 2^-99 L²/σ + (1.25 + 2^-5 + 2^-5) 2^-44 γ |t1|.
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
 //
 // length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
-// length2 more in f, 128 in place of 116, and error bounds it still.
+// length2 more in f, 175 in place of 163, and error bounds it still.
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m, double time,
                                                                             double length2) noexcept {
@@ -118,22 +120,22 @@ template <bool Fused>
     const auto f = distance_residual(r.y01, r.yR2);
     const double residual = settled(settled(f.value[0] + f.value[1]) + (f.error[0] + f.error[1]));
 
-    const lanes along01 = r.y01.high.value * m.u01.value;
-    const double sigma = -(along01[0] + along01[1] + r.yR2.high.value[1] * m.u_2.value[1]);
-    const lanes v01 = m.u01.value * m.u01.value;
-    const double speed2 = v01[0] + v01[1] + m.u_2.value[1] * m.u_2.value[1];
+    const lanes along = r.y01.high.value * m.u01.value + r.yR2.high.value * m.u_2.value;
+    const double sigma = -(along[0] + along[1]);
+    const lanes squares = m.u01.value * m.u01.value + m.u_2.value * m.u_2.value;
+    const double speed2 = squares[0] + squares[1];
     const double inverse = 1 / sigma;
     r.t1 = settled(residual * (0.5 * inverse));
-    r.sensitivity = (speed2 * inverse) * (length2 * inverse);
     r.per_time = speed2 * inverse;
+    const double way = length2 * inverse;
+    r.sensitivity = r.per_time * way;
     const double magnitude = absolute(r.t1);
-    const double turn = r.per_time * magnitude;
-    r.error = settled(0x1p-99 * length2 * inverse + magnitude * (5 * turn + 0x1p-49 * r.sensitivity));
+    r.error = settled(0x1p-99 * way + magnitude * (0x1.5p-44 * r.sensitivity));
     const auto all = [](auto... conditions) __attribute__((always_inline)) {
         return (static_cast<unsigned>(conditions) & ...) != 0;
     }; // one branch
-    r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), sigma > 0, r.sensitivity < 0x1p64,
-                 turn < 0x1p-10);
+    r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), r.sensitivity < 0x1p36,
+                 0x1p46 * magnitude < way);
     return r;
 }
 

@@ -62,11 +62,12 @@ time_of_impact(const flight<N, T>& a, const flight<N, T>& b, Observer&& observer
             if (!is_collision(what)) {
                 return std::nullopt;
             }
-            // √D <= |h| <= √2 length·velocity, with the length of the filter.
+            // error_root/a is at most (K_D + 3/2 K_h) length²: √D <= |h| <= √2 length·velocity, with the filter's
+            // length.
             using constant = detail::flight_filter<N, T>;
-            const double error_root = (constant::discriminant + 1.5 * constant::h) * f.scale;
-            const auto bounds = what != encounter::overlap && f.discriminant > 8 * error_root
-                                    ? detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2, error_root)
+            constexpr double root = constant::discriminant + 1.5 * constant::h;
+            const auto bounds = what != encounter::overlap && f.discriminant > 8 * root * f.scale
+                                    ? detail::enclose(f.c, f.h, f.discriminant, 1.5 * (constant::c + root) * f.length2)
                                     : detail::enclosure{};
             if (bounds.is_known()) [[likely]] {
                 const auto start = static_cast<double>(detail::as_stored(a.since < b.since ? b.since : a.since));

@@ -68,12 +68,13 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
             observer(stage::filter);
             return std::nullopt;
         }
-        using constant = detail::ball_filter<N, T>;
-        const auto f = started.finish();
-        const double error_root = (constant::discriminant + constant::h) * f.scale;
-        if (detail::all_hold(f.certain, f.c > 0, f.discriminant > 8 * error_root)) {
+        if (const auto hit = started.find_clear_hit(); hit.certain) {
             observer(stage::filter);
-            const auto bounds = detail::enclose(f.c, f.h, f.discriminant, constant::c * f.length2, error_root);
+            // error_root/a is at most (K_D + K_h) length²: √D <= |h| <= length·velocity.
+            using constant = detail::ball_filter<N, T>;
+            static_assert(16 * constant::discriminant >= 8 * (constant::discriminant + constant::h));
+            constexpr double error = 1.5 * (constant::c + constant::discriminant + constant::h);
+            const auto bounds = detail::enclose(started.q.c, started.q.h, hit.discriminant, error * started.length2);
             if (detail::has_error_free_doubles || bounds.is_known()) [[likely]] {
                 return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
                                                         detail::two_balls<N>{}, a, b, detail::event_kind::balls, 0,
@@ -81,7 +82,7 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
             }
             return detail::time_of_impact_exactly(a, b);
         }
-        if (f.certain) {
+        if (const auto f = started.finish(); f.certain) {
             observer(stage::filter);
             const encounter what = f.what();
             if (!is_collision(what)) { // balls that part as well, of which x87 may be certain only now
