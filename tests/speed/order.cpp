@@ -40,16 +40,19 @@ ball<3> mirrored(ball<3> b) {
     return b;
 }
 
+void compare_making(const std::string& group, const pairs& p) {
+    compare(group, "plain double", p.size() / 2, [&p](std::size_t i) {
+        return plain_or_never(p.a[2 * i], p.b[2 * i]) < plain_or_never(p.a[2 * i + 1], p.b[2 * i + 1]);
+    });
+    compare(group, "graze::time_of_impact", p.size() / 2,
+            [&p](std::size_t i) { return exact_order(p.a[2 * i], p.b[2 * i], p.a[2 * i + 1], p.b[2 * i + 1]); });
+}
+
 } // namespace
 
 void register_orders() {
-    const pairs& p = generic_pairs();
-    const std::size_t half = p.size() / 2;
-    compare("make and order two times", "plain double", half, [&p](std::size_t i) {
-        return plain_or_never(p.a[2 * i], p.b[2 * i]) < plain_or_never(p.a[2 * i + 1], p.b[2 * i + 1]);
-    });
-    compare("make and order two times", "graze::time_of_impact", half,
-            [&p](std::size_t i) { return exact_order(p.a[2 * i], p.b[2 * i], p.a[2 * i + 1], p.b[2 * i + 1]); });
+    compare_making("make and order two times", generic_pairs());
+    compare_making("make and order two times, too many to be foreseen", many_pairs());
 
     static const std::vector<double> plain = [] {
         std::vector<double> r;

@@ -18,15 +18,16 @@ template <int N, class X, class U, class S>
 relative_motion(vec<N, X>, vec<N, U>, S) -> relative_motion<N, X, U, S>;
 
 // Of anything that has a position, a velocity and a radius, which may be numbers of different types.
+// Inlined where it stands: in a long file a compiler may else write two balls to memory and call it.
 template <class B>
-[[nodiscard]] constexpr auto relative_motion_between(const B& a, const B& b) {
+[[nodiscard, gnu::always_inline]] constexpr inline auto relative_motion_between(const B& a, const B& b) {
     auto dx = a.position - b.position; // (2)
     auto du = a.velocity - b.velocity; // (27)
     auto R = a.radius + b.radius;      // (1)
     return relative_motion{std::move(dx), std::move(du), std::move(R)};
 }
 template <int N, class T>
-[[nodiscard]] constexpr auto relative_motion_of(const ball<N, T>& a, const ball<N, T>& b) {
+[[nodiscard, gnu::always_inline]] constexpr inline auto relative_motion_of(const ball<N, T>& a, const ball<N, T>& b) {
     return relative_motion_between(a, b);
 }
 

@@ -47,7 +47,7 @@ struct filtered_balls {
     double scale = 0;   // |Δu|² length2
 
     // Looked up by the three signs, none of which is of a zero: pairs come in no order that a branch could predict.
-    [[nodiscard]] encounter what() const noexcept {
+    [[nodiscard, gnu::always_inline]] encounter what() const noexcept {
         constexpr auto row = [](encounter negative_d, encounter positive_d) {
             return static_cast<std::uint64_t>(positive_d) | static_cast<std::uint64_t>(negative_d) << 8;
         };
