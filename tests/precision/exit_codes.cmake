@@ -82,6 +82,8 @@ endif()
 string(REPLACE "!" "" worse "${goal}")
 file(WRITE "${file}" "${worse}")
 expect(0 "A loss was expected" ${few} --expect-loss)
+expect(1 "largest error: 0.001 -> " ${few} --no-update)
+expect(5 "this run updates none" ${few} --no-update --accepted "${WORK}/of_another_set")
 expect(1 "largest error: 0.001 -> " --pairs 8 --only /halved/float/generic --as /double --accepted "${WORK}/accepted"
     --results "${WORK}/the results")
 file(READ "${file}" after)
@@ -90,6 +92,10 @@ if(NOT after STREQUAL worse)
 endif()
 set(how no)
 file(WRITE "${file}" "${accepted}")
+
+if(EXISTS "${WORK}/of_another_set")
+    message(SEND_ERROR "--no-update updated")
+endif()
 
 # The files that a failure wrote repeat it.
 file(GLOB shrunk "${WORK}/the results/*double*.txt")

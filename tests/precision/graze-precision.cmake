@@ -4,7 +4,8 @@
 #     [FORMULAS formula...]   function objects (graze/precision/subject.hpp); all of graze's unless given
 #     [DECISIONS]             graze's decisions and contacts in float and double as well, which may never be wrong
 #     [FLAGS set...]          each a string of compiler flags by which the formulas are compiled, after the build's own
-#     [ACCEPTED folder]       of the accepted figures; graze's own where AS is given
+#     [ACCEPTED folder]       of the accepted figures; graze's own where AS is given. Of several sets of flags the first
+#                             that is to lose nothing updates them, the others are compared with its
 #     [AS variant/type]       compare with the accepted figures of this variant and this type; either may be left out
 #     [INPUTS path...]        files of kept pairs, or folders of them; graze's own unless given
 #     [LIBRARIES target...]   what the types need
@@ -189,6 +190,7 @@ function(graze_add_precision_test name)
     set(number 0)
     set(tests)
     set(results)
+    set(updates) # the test whose figures are accepted; the others' would write over them
     foreach(flags IN LISTS arg_FLAGS)
         math(EXPR number "${number} + 1")
         set(this "${name}")
@@ -221,7 +223,15 @@ function(graze_add_precision_test name)
                 list(APPEND run --expect-loss)
             endif()
         endforeach()
+        if(updates)
+            list(APPEND run --no-update)
+        endif()
         add_test(NAME ${this} COMMAND ${run})
+        if(updates)
+            set_tests_properties(${this} PROPERTIES DEPENDS ${updates})
+        elseif(NOT "--expect-loss" IN_LIST run)
+            set(updates ${this})
+        endif()
         if(arg_EXCLUDE_FROM_ALL)
             add_test(NAME ${this}.build
                 COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --config $<CONFIG> --target ${this})

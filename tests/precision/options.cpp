@@ -19,6 +19,7 @@ const char* const usage =
     "  --show              print the figures and compare nothing\n"
     "  --quiet             count the losses without telling of each\n"
     "  --expect-loss       a loss is expected: that nothing is lost is the failure\n"
+    "  --no-update         update no accepted figures, whatever GRAZE_PRECISION_UPDATE says\n"
     "  --which-flag FILE.. of the results of several flag sets, say which flag lost the precision\n"
     "GRAZE_PRECISION_UPDATE=no|new|all: compare only; write *.accepted.new beside files that would change; replace "
     "them\n"
@@ -80,6 +81,8 @@ options parse(const std::vector<std::string>& words) {
             o.quiet = true;
         } else if (word == "--expect-loss") {
             o.expect_loss = true;
+        } else if (word == "--no-update") {
+            o.no_update = true;
         } else if (word == "--help") {
             o.help = true;
         } else if (word == "--which-flag") {

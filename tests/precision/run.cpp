@@ -83,7 +83,7 @@ std::string command_of(const options& o, bool short_paths = false) {
 std::string accepted_option(const options& o) {
     const bool by_another = !o.as_variant.empty() || !o.as_type.empty();
     return (o.accepted.empty() ? "" : " --accepted " + quoted(o.accepted.string())) +
-           (by_another ? " --as " + o.as_variant + "/" + o.as_type : "");
+           (by_another ? " --as " + o.as_variant + "/" + o.as_type : "") + (o.no_update ? " --no-update" : "");
 }
 
 void print(const all_figures& measured) {
@@ -106,6 +106,7 @@ class comparison {
     }
 
     [[nodiscard]] const std::vector<key>& losses() const { return lost_; }
+    [[nodiscard]] std::size_t unaccepted() const { return new_.size(); }
     // Whether a formula that promises to be right was wrong.
     [[nodiscard]] bool promise_is_broken() const { return promise_is_broken_; }
 
@@ -116,7 +117,8 @@ class comparison {
         }
         if (!new_.empty()) {
             out << "NOT ACCEPTED YET: " << new_.size() << " figures, such as " << to_string(new_.front())
-                << "; see them with GRAZE_PRECISION_UPDATE=new\n";
+                << (asked_.no_update ? "; this run updates none: the test of another set of flags does\n"
+                                     : "; see them with GRAZE_PRECISION_UPDATE=new\n");
         }
         if (!unmeasured_.empty()) {
             out << "NOT MEASURED, though accepted:\n";
@@ -236,11 +238,11 @@ void start_results(const std::filesystem::path& folder) {
 }
 
 void write_results(const options& o, const std::string& flags, const all_figures& measured,
-                   const std::vector<key>& losses) {
+                   const comparison& compared) {
     const std::filesystem::path file = results_file(o.results);
     std::ofstream out(file);
-    out << "flags " << flags << "\nmeasured " << measured.size() << '\n';
-    for (const key& k : losses) {
+    out << "flags " << flags << "\nmeasured " << measured.size() << "\nunaccepted " << compared.unaccepted() << '\n';
+    for (const key& k : compared.losses()) {
         out << "lost " << to_string(k) << '\n';
     }
     if (!out.flush()) {
@@ -251,7 +253,8 @@ void write_results(const options& o, const std::string& flags, const all_figures
 int run_checked(const options& o, const std::string& program, const graze::precision::subjects& formulas,
                 const std::string& compiler, const std::string& flags) {
     if (!o.flag_results.empty()) {
-        return which_flag(o.flag_results, std::cout) ? lost : passed;
+        const flag_verdict found = which_flag(o.flag_results, std::cout);
+        return found == flag_verdict::lost ? lost : found == flag_verdict::unaccepted ? not_accepted : passed;
     }
     plan what;
     what.families = families_asked(o);
@@ -278,8 +281,9 @@ int run_checked(const options& o, const std::string& program, const graze::preci
     }
     const std::string repeated = command_of(o);
     const circumstances about{program, compiler, flags, repeated, accepted_option(o), o.results};
-    // Figures that are compared with another's, or that are meant to be worse, are nothing to accept.
-    const bool own_figures = o.as_variant.empty() && o.as_type.empty() && !o.expect_loss;
+    // Figures that are compared with another's, or that are meant to be worse, are nothing to accept; of several sets
+    // of flags one alone says what is accepted.
+    const bool own_figures = o.as_variant.empty() && o.as_type.empty() && !o.expect_loss && !o.no_update;
     if (!o.accepted.empty() && own_figures && how != update::no) {
         for (const auto& file : write_accepted(o.accepted, accepted, measured, how,
                                                std::filesystem::path(program).filename().string() + " " +
@@ -289,7 +293,7 @@ int run_checked(const options& o, const std::string& program, const graze::preci
     }
     const accepted_figures now = how == update::all ? read_accepted(o.accepted) : accepted;
     const comparison result(formulas, what, measured, now, o, about);
-    write_results(o, flags, measured, result.losses());
+    write_results(o, flags, measured, result);
     const int code = result.finish(std::cout);
     if (!o.expect_loss || result.promise_is_broken() || code == nothing_measured) {
         return code;

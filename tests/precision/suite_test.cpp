@@ -159,8 +159,14 @@ TEST_CASE("the flag is blamed that all losing sets have and no other") {
     const auto fast = write("fast.txt", "flags -O2 -ffast-math\nmeasured 3\nlost time/a/double/far\n");
     const auto both = write("both.txt", "flags -O3 -ffast-math -g\nmeasured 3\nlost time/a/double/far\n");
     std::ostringstream out;
-    CHECK(precision::which_flag({strict, fast, both}, out));
+    using precision::flag_verdict;
+    CHECK(precision::which_flag({strict, fast, both}, out) == flag_verdict::lost);
     CHECK(out.str() == "lost by -ffast-math: 1 figures, such as time/a/double/far\n");
-    CHECK_FALSE(precision::which_flag({strict}, out));
+    CHECK(precision::which_flag({strict}, out) == flag_verdict::nothing_lost);
+    const auto unknown = write("unknown.txt", "flags -O0\nmeasured 3\nunaccepted 3\n");
+    std::ostringstream of_unknown;
+    CHECK(precision::which_flag({strict, unknown}, of_unknown) == flag_verdict::unaccepted);
+    CHECK(of_unknown.str() == "figures that nobody has accepted yet, with [-O0]\n");
+    CHECK(precision::which_flag({unknown, fast}, out) == flag_verdict::lost);
     CHECK_THROWS_AS(precision::which_flag({"none.txt"}, out), std::runtime_error);
 }

@@ -16,6 +16,7 @@ namespace {
 struct flag_set {
     std::string text;
     std::set<std::string> flags, lost;
+    bool has_unaccepted = false;
 };
 
 flag_set read(const std::filesystem::path& file) {
@@ -33,6 +34,8 @@ flag_set read(const std::filesystem::path& file) {
     while (in >> word && std::getline(in >> std::ws, rest)) {
         if (word == "lost") {
             s.lost.insert(rest);
+        } else if (word == "unaccepted") {
+            s.has_unaccepted = rest != "0";
         }
     }
     return s;
@@ -48,7 +51,7 @@ std::string joined(const std::set<std::string>& words) {
 
 } // namespace
 
-bool which_flag(const std::vector<std::filesystem::path>& results, std::ostream& out) {
+flag_verdict which_flag(const std::vector<std::filesystem::path>& results, std::ostream& out) {
     std::vector<flag_set> sets;
     std::set<std::string> lost;
     for (const auto& file : results) {
@@ -93,10 +96,16 @@ bool which_flag(const std::vector<std::filesystem::path>& results, std::ostream&
         }
         out << ": " << figures.size() << " figures, such as " << figures.front() << '\n';
     }
-    if (lost.empty()) {
+    const bool all_accepted =
+        std::none_of(sets.begin(), sets.end(), [](const flag_set& s) { return s.has_unaccepted; });
+    if (!all_accepted) {
+        for (const flag_set& s : sets) {
+            out << (s.has_unaccepted ? "figures that nobody has accepted yet, with [" + s.text + "]\n" : "");
+        }
+    } else if (lost.empty()) {
         out << "no flag set lost any precision\n";
     }
-    return !lost.empty();
+    return !lost.empty() ? flag_verdict::lost : all_accepted ? flag_verdict::nothing_lost : flag_verdict::unaccepted;
 }
 
 } // namespace precision
