@@ -17,8 +17,8 @@ namespace graze::detail {
 
 // near - error <= τ <= near + error, as they are computed in any rounding mode, but for an error that is not known: it
 // is then the largest double, and τ may be beyond. No finite time in T is above that; an infinity would be no value at
-// all under -ffast-math. An error that is neither 0 nor unknown is larger than it would have to be by 2^-47 near: by
-// more than all roundings of these sums and of is_apart_from.
+// all under -ffast-math. An error that is neither 0 nor unknown is larger than it would have to be by 2^-50 of near +
+// error: by more than all roundings of these sums and of is_apart_from.
 struct enclosure {
     static constexpr double unknown = std::numeric_limits<double>::max();
 
