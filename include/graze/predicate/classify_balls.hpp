@@ -85,15 +85,17 @@ struct started_filter {
     [[nodiscard, gnu::always_inline]] bool is_parting() const noexcept {
         return all_hold(q.h * std::fabs(q.h) > Constants::discriminant * scale, in_range);
     }
-    // Of balls that are not parting: D, and whether a hit is certain, D beyond 16 times its bound, by fewer comparisons
-    // than finish() makes. h² = D + a c is then beyond it as well, but for roundings, and h negative: else they parted.
+    // Of balls that are not parting: D, and whether a hit is certain, D beyond `clear` times its bound, by fewer
+    // comparisons than finish() makes. h² = D + a c is then beyond it as well, but for roundings, and h negative: else
+    // they parted.
+    static constexpr double clear = 16;
     struct clear_hit {
         double discriminant;
         bool certain;
     };
     [[nodiscard, gnu::always_inline]] clear_hit find_clear_hit() const noexcept {
         const double d = discriminant_halved{}(q);
-        return {d, all_hold(std::min(0x1p-4 * d, q.a * q.c) > Constants::discriminant * scale, in_range)};
+        return {d, all_hold(std::min(1 / clear * d, q.a * q.c) > Constants::discriminant * scale, in_range)};
     }
     [[nodiscard, gnu::always_inline]] filtered_balls finish() const noexcept {
         filtered_balls r;

@@ -91,7 +91,7 @@ struct fast_approach {
 
 // The smaller root τ near t0, for D > 0. Let L² = |Δx|² + R², V = |Δu|, y = Δx + Δu t0, f = |y|² - R² and σ = -y·Δu.
 // For σ > 0 the smaller root is t0 + δ with δ = (f + V² δ²)/(2σ) and |δ| <= |f|/σ (as D = σ² - V² f > 0). t1 = f/(2σ)
-// with computed f and σ. `good` means that γ < 2^36 and |t1| < 2^-46 L²/σ (so that σ > 0, and V² |t1|/σ < 2^-46 γ <
+// with computed f and σ. `good` means that γ < 2^40 and |t1| < 2^-50 L²/σ (so that σ > 0, and V² |t1|/σ < 2^-50 γ <
 // 2^-10), for the computed values, and that L² and V² are in ranges where nothing over- or underflows that matters.
 // Then
 //   |y|² < 1.0022 R², so σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the balls are apart), t0 < 1.43 L/V,
@@ -104,7 +104,7 @@ struct fast_approach {
 //     |f̂ - f| <= 163 u² L² + 2 u |f|;
 //   |τ - t0 - t1| <= (163 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
 //     0.51 γ: below (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included, and that, by
-//     V² |t1|/σ < 2^-46 γ, below error := 2^-99 L²/σ + (1.25 + 2^-5 + 2^-5) 2^-44 γ |t1|.
+//     V² |t1|/σ < 2^-50 γ, below error := 2^-99 L²/σ + (1.25 + 0.5 + 2^-4) 2^-48 γ |t1|.
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
 //
 // length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
@@ -130,12 +130,12 @@ template <bool Fused>
     const double way = length2 * inverse;
     r.sensitivity = r.per_time * way;
     const double magnitude = absolute(r.t1);
-    r.error = settled(0x1p-99 * way + magnitude * (0x1.5p-44 * r.sensitivity));
+    r.error = settled(0x1p-99 * way + magnitude * (0x1.dp-48 * r.sensitivity));
     const auto all = [](auto... conditions) __attribute__((always_inline)) {
         return (static_cast<unsigned>(conditions) & ...) != 0;
     }; // one branch
-    r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), r.sensitivity < 0x1p36,
-                 0x1p46 * magnitude < way);
+    r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), r.sensitivity < 0x1p40,
+                 0x1p50 * magnitude < way);
     return r;
 }
 

@@ -72,7 +72,7 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
             observer(stage::filter);
             // error_root/a is at most (K_D + K_h) length²: √D <= |h| <= length·velocity.
             using constant = detail::ball_filter<N, T>;
-            static_assert(16 * constant::discriminant >= 8 * (constant::discriminant + constant::h));
+            static_assert(started.clear * constant::discriminant >= 8 * (constant::discriminant + constant::h));
             constexpr double error = 1.5 * (constant::c + constant::discriminant + constant::h);
             const auto bounds = detail::enclose(started.q.c, started.q.h, hit.discriminant, error * started.length2);
             if (detail::has_error_free_doubles || bounds.is_known()) [[likely]] {
