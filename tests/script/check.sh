@@ -52,6 +52,8 @@ lacks() { ! grep -qe "$2" "$work/$1" || complain "'$2' is in $1"; }
 run 2; has err 'compare, report or test'; lacks calls .
 run 2 comapre; has err "unknown command 'comapre'"; lacks calls .
 run 2 --fast compare; has err "unknown command '--fast'"
+run 0 report --help; has out Usage; lacks calls .
+run 2 report -x; has err "a folder, not '-x'"; lacks calls .
 run 0 --help; has out '^Usage: ./graze compare'; lacks calls .
 
 run 0 compare

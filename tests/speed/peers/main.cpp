@@ -52,7 +52,11 @@ int run(int argc, char** argv) {
     app.add_option("--book", book, "Write the picture book to this folder: index.html, and every picture as SVG");
     app.add_option("--with", chapters, "Results of graze-compare (--json) to put into the book first")
         ->check(CLI::ExistingFile);
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
     std::vector<peers::chapter> all;
     bool kept = true;
     for (const std::string& path : chapters) {
