@@ -2,7 +2,7 @@
 """Deliberate losses of precision, one at a time, each of which the precision regression must notice.
 
 Every statement of the formulas and of the products of vectors is rewritten in all ways below that apply; what is rewritten
-is equal in exact arithmetic but for a factor of 2. The regression in double is compiled against a copy with that change.
+is equal in exact arithmetic but for a factor of 2 or of 1 + 2^-30. The regression in double is compiled against a copy with that change.
 
     association    a + b + c as a + (b + c), a b c as a (b c)
     float          the value of a statement goes through a float
@@ -12,12 +12,13 @@ is equal in exact arithmetic but for a factor of 2. The regression in double is 
     difference     a a - b b as (a - b) (a + b)
     residual       a term that is called an error is dropped
     halved         a factor of 2 is dropped
+    moved          a + b as a + b (1 + 2^-30), which moves a border
 
 A change is `caught` if a figure becomes worse than accepted. It is listed as `harmless`, with what was measured, if no figure
 does, provided that the regression measures the statement at all: it must notice the value negated. If it does
-not, the change is `unseen`, and the script fails. NOT_MEASURED names the statements that are left out, and why.
+not, or a border was moved, the change is `unseen`, and the script fails. NOT_MEASURED names the statements that are left out, and why.
 
-    lose.py --build build/release [--compiler g++] [--jobs 1] [--only roots] [--sample 8 --seed 1] [--list]
+    lose.py --build build/release [--compiler g++] [--jobs 1] [--only roots] [--kind moved] [--sample 8 --seed 1] [--list]
 """
 import argparse
 import concurrent.futures
@@ -68,6 +69,20 @@ constexpr T narrowed(const T& x) {
         T y = x;
         for (auto& component : y.component) {
             component = narrowed(component);
+        }
+        return y;
+    } else {
+        return x;
+    }
+}
+template <class T>
+constexpr T moved(const T& x) {
+    if constexpr (__is_same(T, double)) {
+        return x * (1 + 0x1p-30);
+    } else if constexpr (requires { x.component[0]; }) {
+        T y = x;
+        for (auto& component : y.component) {
+            component = moved(component);
         }
         return y;
     } else {
@@ -126,6 +141,8 @@ def losses_of(code):
             yield "difference", f"({first[0]} - {second[0]}) * ({first[0]} + {second[0]})"
         if terms[1].strip() in ("error", "residual"):
             yield "residual", terms[0]
+        else:
+            yield "moved", f"{terms[0]}{signs[0]}graze::lost::moved({terms[1]})"
     if len(terms) == 1 and products and products[-1] == " / ":
         above, below = " * ".join(factors[:-1]) if len(set(products[:-1]) | {" * "}) == 1 else None, factors[-1]
         if above:
@@ -218,10 +235,12 @@ class Regression:
 
 
 def judge(regression, loss):
-    header, number, column, _, expression, rewritten = loss
+    header, number, column, kind, expression, rewritten = loss
     verdict, said = regression.run(header, number, column, expression, rewritten)
     if verdict != "passed":
         return verdict, said
+    if kind == "moved":
+        return "unseen", said
     negated, _ = regression.run(header, number, column, expression, f"-({expression})")
     return ("unseen" if negated == "passed" else "harmless"), said
 
@@ -232,11 +251,12 @@ def main():
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", nargs="*")
+    parser.add_argument("--kind", nargs="*")
     parser.add_argument("--sample", type=int)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
-    everything = list(dict.fromkeys(all_losses(options.only)))
+    everything = [x for x in dict.fromkeys(all_losses(options.only)) if not options.kind or x[3] in options.kind]
     chosen = everything
     if options.sample:
         random.seed(options.seed)
@@ -260,7 +280,7 @@ def main():
                 said = next((text for text in said.split("\n") if "error" in text), said.strip())
             print(f"{verdict}: {header}:{number + 1}: {kind}: {expression}  ->  {rewritten}: {said}", flush=True)
     print(f"{len(everything)} losses, {len(chosen)} tried: {count['caught']} caught, {count['harmless']} harmless, "
-          f"{count['stillborn']} do not compile, {count['unseen']} not measured by any figure")
+          f"{count['stillborn']} do not compile, {count['unseen']} not noticed by any figure")
     return 1 if count["unseen"] or not count["caught"] else 0
 
 
