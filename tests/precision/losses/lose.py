@@ -61,14 +61,15 @@ NOT_MEASURED = {
 }
 HELPERS = """
 namespace graze::lost {
-template <class T>
-constexpr T narrowed(const T& x) {
+// change of a double, of each in a vector, of no other number.
+template <class T, class F>
+constexpr T each(const T& x, F change) {
     if constexpr (__is_same(T, double)) {
-        return static_cast<double>(static_cast<float>(x));
+        return change(x);
     } else if constexpr (requires { x.component[0]; }) {
         T y = x;
         for (auto& component : y.component) {
-            component = narrowed(component);
+            component = each(component, change);
         }
         return y;
     } else {
@@ -76,18 +77,12 @@ constexpr T narrowed(const T& x) {
     }
 }
 template <class T>
+constexpr T narrowed(const T& x) {
+    return each(x, [](double y) { return static_cast<double>(static_cast<float>(y)); });
+}
+template <class T>
 constexpr T moved(const T& x) {
-    if constexpr (__is_same(T, double)) {
-        return x * (1 + 0x1p-30);
-    } else if constexpr (requires { x.component[0]; }) {
-        T y = x;
-        for (auto& component : y.component) {
-            component = moved(component);
-        }
-        return y;
-    } else {
-        return x;
-    }
+    return each(x, [](double y) { return y * (1 + 0x1p-30); });
 }
 template <class A, class B, class C>
 constexpr auto fused(const A& a, const B& b, const C& c) {
