@@ -1,7 +1,7 @@
 // What the compare program compares on: pairs with exact rational data, whatever they came from.
 #pragma once
 
-#include <graze/number/boost.hpp>
+#include <graze/number/adapter/boost.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/wall.hpp>

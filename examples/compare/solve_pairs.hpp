@@ -5,7 +5,7 @@
 #include "reader.hpp"
 #include "score.hpp"
 
-#include <graze/formula/solve.hpp>
+#include <graze/solve.hpp>
 
 #include <cstddef>
 #include <exception>

@@ -2,7 +2,7 @@
 
 #include "conditioning.hpp"
 
-#include <graze/formula/solve.hpp>
+#include <graze/solve.hpp>
 
 #include <stdexcept>
 

@@ -1,11 +1,9 @@
-// The library for pairs. Scenes and runs (graze/scene/run.hpp, first_events.hpp, ...) and adapters for other libraries'
-// number types (graze/number/boost.hpp, gmp.hpp, ...) are included by name.
+// The library for pairs. Scenes (graze/scene.hpp), runs (graze/run.hpp) and adapters for other libraries' number types
+// (graze/number/adapter/boost.hpp, gmp.hpp, ...) are included by name.
 #pragma once
 
-#include <graze/contact/collide.hpp>
-#include <graze/contact/collide_flights.hpp>
-#include <graze/formula/solve.hpp>
-#include <graze/number/floating.hpp>
-#include <graze/predicate/classify_numbers.hpp>
-#include <graze/predicate/overlaps_of_flights.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/classify.hpp>
+#include <graze/collide.hpp>
+#include <graze/overlaps.hpp>
+#include <graze/solve.hpp>
+#include <graze/time_of_impact.hpp>

@@ -1,8 +1,8 @@
 // The bits that a formula needs are those that integers deduce, for every formula that a decision runs.
+#include <graze/exact/integer.hpp>
 #include <graze/formula/exact_in.hpp>
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/integer.hpp>
 
 #include <cstdint>
 #include <type_traits>

@@ -1,10 +1,10 @@
 // |computed - exact| <= K u M on chosen inputs, by the compiler's own arithmetic: floats against doubles, in which
 // small integers are exact, doubles against integers.
 #include <graze/analysis/error_bound.hpp>
+#include <graze/exact/integer.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/plane_crossing.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/integer.hpp>
 
 #include "../bounds/staged.hpp"
 

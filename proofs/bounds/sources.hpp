@@ -4,7 +4,7 @@
 #include <graze/analysis/error_bound.hpp>
 #include <graze/analysis/gappa_term.hpp>
 #include <graze/linear/vec.hpp>
-#include <graze/number/gmp.hpp>
+#include <graze/number/adapter/gmp.hpp>
 #include <graze/number/sqrt_extension.hpp>
 
 #include <algorithm>

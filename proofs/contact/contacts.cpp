@@ -1,6 +1,6 @@
 // Contacts and rounded times as constants: what is known without a computer, ties, and every kind of encounter.
-#include <graze/contact/collide.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/collide.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <cstdint>
 #include <limits>

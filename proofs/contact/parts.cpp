@@ -1,11 +1,12 @@
 // The constants of the fast path of contacts: what its steps lose, derived from the steps themselves, is no more than
-// what predicate/fast_approach.hpp and contact/lane_steps.hpp say. Their notation is used, with u = 2^-53.
+// what time/fast_approach.hpp and contact/lane_steps.hpp say. Their notation is used, with u = 2^-53.
 //
 // Bounds are homogeneous in the sizes of the inputs, so that each size is set to 1 in its turn. What a step leaves out,
 // a product of two low parts, stands beside what it rounds.
 #include <graze/analysis/error_bound.hpp>
-#include <graze/analysis/parts_bound.hpp>
 #include <graze/contact/lane_steps.hpp>
+
+#include "parts_bound.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // What is wrong or missing in the source, line by line: each printed form refuted by an example, the corrected one
 // holding there. That the corrected ones hold everywhere is proved beside this: discriminant.cpp, roots.cpp,
 // contact.cpp, impulse.cpp, plane_crossing.cpp, wall_features.cpp.
-#include <graze/formula/solve.hpp>
+#include <graze/exact/integer.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/integer.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/solve.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include "../variables.hpp"
 

@@ -1,8 +1,8 @@
 // graze::solve for a ball and a wall where the number type has a square root of its own, and may round: the sign of
 // p ± q√d, and what a touch in passing and a point leave of normal and velocity. (In exact types: predicate/scenes.cpp
 // and wall_scenes.cpp.)
-#include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
+#include <graze/solve.hpp>
 
 #include "../rational.hpp"
 

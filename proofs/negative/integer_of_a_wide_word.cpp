@@ -1,6 +1,6 @@
 // A 64-bit word that may not fit into 40 bits.
 // expect: (conver|viable).*(int64_t|long|integer<40>)
-#include <graze/number/integer.hpp>
+#include <graze/exact/integer.hpp>
 
 constexpr std::int64_t word = 1;
 #ifdef REPAIRED

@@ -2,8 +2,8 @@
 // expect: has_fma|has_variant
 #include "../rational.hpp"
 
-#include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
+#include <graze/solve.hpp>
 
 #ifdef REPAIRED
 using number = double;

@@ -1,6 +1,6 @@
 // An integer that would lose bits.
 // expect: integer<50>.*integer<40>
-#include <graze/number/integer.hpp>
+#include <graze/exact/integer.hpp>
 
 constexpr graze::integer<50> wide = std::int32_t{1};
 #ifdef REPAIRED

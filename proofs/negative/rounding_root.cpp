@@ -1,7 +1,7 @@
 // Exact square roots over a type that rounds.
 // expect: sqrt_extension needs an exact number type
+#include <graze/exact/integer.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/integer.hpp>
 #include <graze/number/sqrt_extension.hpp>
 
 #include "../rational.hpp"

@@ -1,8 +1,8 @@
 // A number type that lacks what a formula needs: τ is a quotient, and integers have none.
 // expect: field_number
-#include <graze/formula/solve.hpp>
+#include <graze/exact/integer.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/integer.hpp>
+#include <graze/solve.hpp>
 
 #ifdef REPAIRED
 using number = double;

@@ -1,6 +1,6 @@
 // The times of a pair in the plane and of one in space are two types.
 // expect: (no match for|invalid operands).*<
-#include <graze/predicate/impact_time.hpp>
+#include <graze/time/impact_time.hpp>
 
 #ifdef REPAIRED
 constexpr int dimensions = 2;

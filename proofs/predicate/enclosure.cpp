@@ -1,5 +1,5 @@
 // When two enclosures of times are apart: only if no number lies in both.
-#include <graze/predicate/enclosure.hpp>
+#include <graze/time/enclosure.hpp>
 
 namespace {
 

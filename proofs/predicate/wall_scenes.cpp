@@ -1,7 +1,7 @@
 // A ball and a rectangle, over a few starts and velocities: the encounter by the least distance, which is a piecewise
 // quadratic function of time and rational; where there is one, the contact in Q(√d), by its definition. (The encounter
 // alone, over many: formula/wall_encounter.cpp.)
-#include <graze/formula/solve.hpp>
+#include <graze/solve.hpp>
 
 #include "../rational.hpp"
 

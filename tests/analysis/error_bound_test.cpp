@@ -3,9 +3,9 @@
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/wall_encounter.hpp>
+#include <graze/number/adapter/gmp.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/gmp.hpp>
-#include <graze/predicate/rounded_motion.hpp>
+#include <graze/pair/rounded_motion.hpp>
 
 #include "../../examples/families/random.hpp"
 

@@ -1,9 +1,9 @@
 // Rounding errors of wider types, up to 100 digits, within the constants that the compiler derives.
 #include "round_off.hpp"
 
-#include <graze/number/boost.hpp>
-#include <graze/number/float128.hpp>
-#include <graze/number/mpfr.hpp>
+#include <graze/number/adapter/boost.hpp>
+#include <graze/number/adapter/float128.hpp>
+#include <graze/number/adapter/mpfr.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

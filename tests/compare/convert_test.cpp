@@ -4,7 +4,7 @@
 
 #include "../../examples/families/random.hpp"
 
-#include <graze/number/float128.hpp>
+#include <graze/number/adapter/float128.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/mpfr.hpp>

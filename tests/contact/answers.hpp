@@ -2,10 +2,10 @@
 #pragma once
 
 #include <graze/contact/contact.hpp>
-#include <graze/predicate/impact_time.hpp>
-#include <graze/predicate/stage.hpp>
+#include <graze/pair/stage.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/wall.hpp>
+#include <graze/time/impact_time.hpp>
 
 #include <optional>
 

@@ -3,8 +3,8 @@
 
 #include "answers.hpp"
 
-#include <graze/contact/collide.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/collide.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 namespace answers {
 

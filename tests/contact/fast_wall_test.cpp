@@ -2,7 +2,7 @@
 // is certain of nearly everything where nothing is degenerate.
 #include "../soak/soak.hpp"
 
-#include <graze/contact/collide.hpp>
+#include <graze/collide.hpp>
 
 #include <doctest/doctest.h>
 

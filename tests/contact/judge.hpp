@@ -5,7 +5,7 @@
 #include "../oracle/rounding.hpp"
 
 #include <graze/contact/contact.hpp>
-#include <graze/predicate/impact_time.hpp>
+#include <graze/time/impact_time.hpp>
 
 #include <optional>
 #include <string>

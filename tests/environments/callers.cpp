@@ -1,8 +1,8 @@
 #include "callers.hpp"
 
 #include <graze/predicate/classify_walls.hpp>
-#include <graze/predicate/overlaps.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <bit>
 #include <cmath>

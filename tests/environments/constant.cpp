@@ -1,6 +1,6 @@
 // Decisions in constant expressions. Compiles, or not, under every flag; there is nothing to run.
-#include <graze/predicate/overlaps.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <limits>
 

@@ -3,7 +3,7 @@
 
 #include "subject.hpp"
 
-#include <graze/predicate/overlaps.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
 
 namespace environments {
 

@@ -4,7 +4,7 @@
 
 #include "row.hpp"
 
-#include <graze/predicate/stage.hpp>
+#include <graze/pair/stage.hpp>
 
 #include <bit>
 #include <cstdint>

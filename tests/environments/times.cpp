@@ -1,7 +1,7 @@
 // The subjects "order", of two collisions, and "against", of one and a time in T.
 #include "subject.hpp"
 
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 namespace environments {
 namespace {

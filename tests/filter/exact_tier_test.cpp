@@ -1,7 +1,7 @@
 // The integers that a formula runs in are as wide as its inputs need, and hold their values.
 #include <graze/filter/exact_tier.hpp>
 #include <graze/formula/quadratic.hpp>
-#include <graze/predicate/pair.hpp>
+#include <graze/pair/pair.hpp>
 
 #include <doctest/doctest.h>
 #include <gmpxx.h>

@@ -1,7 +1,7 @@
 // The filter of any formula of a motion: when it may be asked, and that it is silent where it is not certain.
 #include <graze/filter/scaled_filter.hpp>
 #include <graze/formula/plane_crossing.hpp>
-#include <graze/predicate/rounded_motion.hpp>
+#include <graze/pair/rounded_motion.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // What the source prints wrongly, at run time: the printed form gives a wrong answer and the library's the right one.
 #include "../oracle/contact.hpp"
 
-#include <graze/formula/solve.hpp>
+#include <graze/number/adapter/gmp.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/gmp.hpp>
+#include <graze/solve.hpp>
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include "../oracle/contact.hpp"
 #include "draw.hpp"
 
-#include <graze/formula/solve.hpp>
+#include <graze/solve.hpp>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

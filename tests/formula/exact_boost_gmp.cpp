@@ -1,6 +1,6 @@
 #include "exact.hpp"
 
-#include <graze/number/boost.hpp>
+#include <graze/number/adapter/boost.hpp>
 
 #include <boost/multiprecision/gmp.hpp>
 

@@ -1,6 +1,6 @@
 #include "exact.hpp"
 
-#include <graze/number/cgal.hpp>
+#include <graze/number/adapter/cgal.hpp>
 
 using lazy = CGAL::Lazy_exact_nt<CGAL::Gmpq>;
 

@@ -1,6 +1,6 @@
 #include "exact.hpp"
 
-#include <graze/number/cgal.hpp>
+#include <graze/number/adapter/cgal.hpp>
 
 namespace CORE {
 static Expr whole(const mpz_class& x) { return Expr(BigInt(x.get_str())); }

@@ -1,6 +1,6 @@
 #include "exact.hpp"
 
-#include <graze/number/gmp.hpp>
+#include <graze/number/adapter/gmp.hpp>
 
 namespace graze {
 static mpq_class rational_in(const gmp_rational& x) { return x.value(); }

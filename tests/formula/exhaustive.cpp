@@ -1,7 +1,7 @@
 // Every ball and every wall on a small grid, so that no degenerate case is left to chance.
 #include "exact.hpp"
 
-#include <graze/number/gmp.hpp>
+#include <graze/number/adapter/gmp.hpp>
 
 #include <functional>
 #include <map>

@@ -5,8 +5,8 @@
 #include "../oracle/contact.hpp"
 #include "tracked.hpp"
 
-#include <graze/formula/solve.hpp>
 #include <graze/number/floating.hpp>
+#include <graze/solve.hpp>
 
 #include <doctest/doctest.h>
 

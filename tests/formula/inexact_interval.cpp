@@ -1,7 +1,7 @@
 // An interval type needs no bound from outside: the exact value lies in what it gives, or it says that it doesn't know.
 #include "inexact.hpp"
 
-#include <graze/number/cgal.hpp>
+#include <graze/number/adapter/cgal.hpp>
 
 using interval = CGAL::Interval_nt<>;
 

@@ -1,6 +1,6 @@
 #include "inexact.hpp"
 
-#include <graze/number/qd.hpp>
+#include <graze/number/adapter/qd.hpp>
 
 namespace inexact {
 

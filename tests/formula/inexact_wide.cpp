@@ -1,6 +1,6 @@
 #include "inexact.hpp"
 
-#include <graze/number/float128.hpp>
+#include <graze/number/adapter/float128.hpp>
 
 TEST_CASE("graze::solve in long double errs within its bound") { inexact::check_all<long double>(500); }
 #if GRAZE_HAS_FLOAT128

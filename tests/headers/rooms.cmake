@@ -17,9 +17,10 @@ if(NOT sorted STREQUAL folders OR NOT told STREQUAL rooms)
 endif()
 
 set(checked 0)
-file(GLOB headers RELATIVE "${ROOT}/include/graze" "${ROOT}/include/graze/*/*.hpp")
+file(GLOB_RECURSE headers RELATIVE "${ROOT}/include/graze" "${ROOT}/include/graze/*.hpp")
+list(FILTER headers INCLUDE REGEX "/") # those of include/graze itself are the front doors
 foreach(header IN LISTS headers)
-    cmake_path(GET header PARENT_PATH room)
+    string(REGEX REPLACE "/.*" "" room "${header}")
     list(FIND rooms "${room}" floor)
     file(STRINGS "${ROOT}/include/graze/${header}" includes REGEX "^ *# *include <graze/")
     foreach(include IN LISTS includes)

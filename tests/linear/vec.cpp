@@ -1,6 +1,6 @@
 #include <graze/linear/vec.hpp>
+#include <graze/number/adapter/gmp.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/number/gmp.hpp>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,7 +1,7 @@
 // Wide integers as doubles: within 4u of the integer, in every rounding mode.
 #include "wide_values.hpp"
 
-#include <graze/number/approximate.hpp>
+#include <graze/exact/approximate.hpp>
 
 #include <doctest/doctest.h>
 

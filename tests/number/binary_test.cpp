@@ -1,9 +1,9 @@
 // Numbers taken apart and lifted to one scale, without an error.
 #include "wide_values.hpp"
 
-#include <graze/number/binary.hpp>
-#include <graze/number/integer.hpp>
-#include <graze/number/sparse_integer.hpp>
+#include <graze/exact/binary.hpp>
+#include <graze/exact/integer.hpp>
+#include <graze/exact/sparse_integer.hpp>
 
 #include <doctest/doctest.h>
 

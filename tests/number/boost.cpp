@@ -1,6 +1,6 @@
 #include "adapter.hpp"
 
-#include <graze/number/boost.hpp>
+#include <graze/number/adapter/boost.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_dec_float.hpp>

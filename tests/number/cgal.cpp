@@ -1,6 +1,6 @@
 #include "adapter.hpp"
 
-#include <graze/number/cgal.hpp>
+#include <graze/number/adapter/cgal.hpp>
 
 #include <CGAL/Exact_rational.h>
 

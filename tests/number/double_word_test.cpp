@@ -1,9 +1,9 @@
 // Error-free transforms and double words against GMP: exact, or within the published bounds.
 #include "adapter.hpp"
 
-#include <graze/formula/solve.hpp>
 #include <graze/number/bounded_word.hpp>
 #include <graze/number/double_word.hpp>
+#include <graze/solve.hpp>
 
 #include <families/random.hpp>
 

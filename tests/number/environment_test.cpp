@@ -1,7 +1,7 @@
 // The probe of the floating-point environment tells every state in which error-free transforms would fail.
 #include "../environments/state.hpp"
 
-#include <graze/number/environment.hpp>
+#include <graze/machine/environment.hpp>
 
 #include <doctest/doctest.h>
 

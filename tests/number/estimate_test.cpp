@@ -1,7 +1,7 @@
 // Estimates: the exact value is within the error that is said, through sums and products of any sizes.
 #include "wide_values.hpp"
 
-#include <graze/number/estimate.hpp>
+#include <graze/exact/estimate.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "adapter.hpp"
 
-#include <graze/number/float128.hpp>
+#include <graze/number/adapter/float128.hpp>
 #include <graze/number/floating.hpp>
 
 using adapter::kind;

@@ -1,6 +1,6 @@
 #include "adapter.hpp"
 
-#include <graze/number/gmp.hpp>
+#include <graze/number/adapter/gmp.hpp>
 
 using adapter::kind;
 

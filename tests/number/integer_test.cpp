@@ -1,7 +1,7 @@
 // integer<Bits> against GMP, at widths around the borders of limbs.
 #include "wide_values.hpp"
 
-#include <graze/number/integer.hpp>
+#include <graze/exact/integer.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "adapter.hpp"
 
-#include <graze/number/mpfr.hpp>
+#include <graze/number/adapter/mpfr.hpp>
 
 namespace mp = boost::multiprecision;
 using mpfr_float_50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;

@@ -1,6 +1,6 @@
 #include "adapter.hpp"
 
-#include <graze/number/qd.hpp>
+#include <graze/number/adapter/qd.hpp>
 
 static_assert(adapter::satisfies<dd_real, adapter::kind::inexact_field, true, false>());
 static_assert(adapter::satisfies<qd_real, adapter::kind::inexact_field, true, false>());

@@ -1,8 +1,8 @@
 // sparse_integer<Bits> against GMP: far digits, extreme digits, carries.
 #include "wide_values.hpp"
 
+#include <graze/exact/sparse_integer.hpp>
 #include <graze/linear/vec.hpp>
-#include <graze/number/sparse_integer.hpp>
 
 #include <doctest/doctest.h>
 

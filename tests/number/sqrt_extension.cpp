@@ -1,5 +1,5 @@
 // p + q√d against MPFR. For whole p, q, d it is 0 or at least 1/(|p| + |q|√d), so that enough digits decide its sign.
-#include <graze/number/gmp.hpp>
+#include <graze/number/adapter/gmp.hpp>
 #include <graze/number/sqrt_extension.hpp>
 
 #include <doctest/doctest.h>

@@ -4,7 +4,7 @@
 #include "../oracle/rounding.hpp"
 #include "wide_values.hpp"
 
-#include <graze/number/surd.hpp>
+#include <graze/exact/surd.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Products and sums of words: the path in use and the portable one, against GMP.
 #include "wide_values.hpp"
 
-#include <graze/number/wide_multiply.hpp>
+#include <graze/machine/wide_multiply.hpp>
 
 #include <doctest/doctest.h>
 

@@ -4,20 +4,20 @@
 #include <graze/number/double_word.hpp>
 
 #ifdef PRECISION_HAS_BOOST
-#include <graze/number/boost.hpp>
+#include <graze/number/adapter/boost.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_dec_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #endif
 #ifdef PRECISION_HAS_MPFR
-#include <graze/number/mpfr.hpp>
+#include <graze/number/adapter/mpfr.hpp>
 #endif
 #ifdef PRECISION_HAS_FLOAT128
-#include <graze/number/float128.hpp>
+#include <graze/number/adapter/float128.hpp>
 #endif
 #ifdef PRECISION_HAS_QD
-#include <graze/number/qd.hpp>
+#include <graze/number/adapter/qd.hpp>
 #endif
 #include <graze/precision/number_access.hpp>
 

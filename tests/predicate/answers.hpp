@@ -4,7 +4,7 @@
 
 #include "../oracle/encounter.hpp"
 
-#include <graze/predicate/impact_time.hpp>
+#include <graze/time/impact_time.hpp>
 
 #include <cmath>
 #include <compare>

@@ -3,8 +3,8 @@
 
 #include "answers.hpp"
 
-#include <graze/predicate/overlaps.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 namespace answers {
 

@@ -1,8 +1,8 @@
 // Decisions in constant expressions, where proofs/predicate says nothing of them: the ends of the range, and that bad
 // input does not compile. What it asserts, it asserts in compiling.
 #include <graze/predicate/classify_numbers.hpp>
-#include <graze/predicate/overlaps.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <cstdint>
 #include <limits>

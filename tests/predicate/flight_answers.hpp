@@ -4,7 +4,7 @@
 #include "../oracle/flight.hpp"
 
 #include <graze/contact/contact.hpp>
-#include <graze/predicate/flight_time.hpp>
+#include <graze/time/flight_time.hpp>
 
 #include <compare>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "answers.hpp"
 #include "transform.hpp"
 
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <doctest/doctest.h>
 

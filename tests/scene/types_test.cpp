@@ -1,5 +1,5 @@
 // One run, many number types: Galperin's billiard counts the same in all that have digits enough.
-#include <graze/number/boost.hpp>
+#include <graze/number/adapter/boost.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/scene/plain_mechanics.hpp>
 #include <graze/scene/run.hpp>

@@ -4,8 +4,8 @@
 #include "../oracle/encounter.hpp"
 #include "soak.hpp"
 
-#include <graze/predicate/overlaps.hpp>
-#include <graze/predicate/time_of_impact.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 // The same decisions and orders in CGAL's number types.
 #include "speed.hpp"
 
-#include <graze/number/cgal.hpp>
+#include <graze/number/adapter/cgal.hpp>
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Lazy_exact_nt.h>

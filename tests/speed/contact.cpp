@@ -4,10 +4,10 @@
 
 #include <families/families.hpp>
 
-#include <graze/contact/collide.hpp>
+#include <graze/collide.hpp>
 
 #ifdef GRAZE_SPEED_MPFR
-#include <graze/number/mpfr.hpp>
+#include <graze/number/adapter/mpfr.hpp>
 
 #include <boost/multiprecision/mpfr.hpp>
 #endif

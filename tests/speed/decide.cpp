@@ -3,13 +3,13 @@
 
 #include <families/families.hpp>
 
-#include <graze/number/boost.hpp>
-#include <graze/number/gmp.hpp>
+#include <graze/number/adapter/boost.hpp>
+#include <graze/number/adapter/gmp.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #ifdef GRAZE_SPEED_FLOAT128
-#include <graze/number/float128.hpp>
+#include <graze/number/adapter/float128.hpp>
 #endif
 
 #include <cstdio>

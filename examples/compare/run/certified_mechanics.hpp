@@ -4,8 +4,8 @@
 #include "certified.hpp"
 
 #include <graze/formula/root_order.hpp>
-#include <graze/formula/solve.hpp>
 #include <graze/scene/mechanics.hpp>
+#include <graze/solve.hpp>
 
 #include <algorithm>
 #include <optional>

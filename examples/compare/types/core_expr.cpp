@@ -3,7 +3,7 @@
 #include "gmp_exact.hpp"
 #include "types.hpp"
 
-#include <graze/number/cgal.hpp>
+#include <graze/number/adapter/cgal.hpp>
 
 #include <stdexcept>
 

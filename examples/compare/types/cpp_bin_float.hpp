@@ -3,7 +3,7 @@
 
 #include "../reader.hpp"
 
-#include <graze/number/boost.hpp>
+#include <graze/number/adapter/boost.hpp>
 
 namespace compare {
 

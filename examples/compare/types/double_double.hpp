@@ -3,7 +3,7 @@
 
 #include "../reader.hpp"
 
-#include <graze/number/qd.hpp>
+#include <graze/number/adapter/qd.hpp>
 
 namespace compare {
 

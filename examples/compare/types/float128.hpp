@@ -3,7 +3,7 @@
 
 #include "../reader.hpp"
 
-#include <graze/number/float128.hpp>
+#include <graze/number/adapter/float128.hpp>
 
 namespace compare {
 

@@ -3,7 +3,7 @@
 #include "../measure.hpp"
 #include "types.hpp"
 
-#include <graze/contact/collide.hpp>
+#include <graze/collide.hpp>
 #include <graze/number/floating.hpp>
 
 #include <limits>

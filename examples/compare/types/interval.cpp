@@ -2,7 +2,7 @@
 #include "../rounding.hpp"
 #include "types.hpp"
 
-#include <graze/number/cgal.hpp>
+#include <graze/number/adapter/cgal.hpp>
 
 namespace compare {
 

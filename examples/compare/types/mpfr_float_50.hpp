@@ -4,7 +4,7 @@
 #include "../reader.hpp"
 #include "gmp_exact.hpp"
 
-#include <graze/number/mpfr.hpp>
+#include <graze/number/adapter/mpfr.hpp>
 
 namespace compare {
 

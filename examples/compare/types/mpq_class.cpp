@@ -2,7 +2,7 @@
 #include "gmp_exact.hpp"
 #include "types.hpp"
 
-#include <graze/number/gmp.hpp>
+#include <graze/number/adapter/gmp.hpp>
 
 namespace compare {
 

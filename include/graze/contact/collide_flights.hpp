@@ -4,7 +4,7 @@
 #include <graze/contact/collide_balls.hpp>
 #include <graze/contact/collide_walls.hpp>
 #include <graze/contact/fast_flights.hpp>
-#include <graze/predicate/time_of_flights.hpp>
+#include <graze/time/time_of_flights.hpp>
 
 namespace graze {
 

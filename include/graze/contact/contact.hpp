@@ -1,10 +1,10 @@
 // Where and how things leave when they meet.
 #pragma once
 
+#include <graze/exact/binary.hpp>
+#include <graze/exact/rounding.hpp>
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/linear/vec.hpp>
-#include <graze/number/binary.hpp>
-#include <graze/number/rounding.hpp>
 
 namespace graze {
 

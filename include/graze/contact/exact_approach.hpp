@@ -9,7 +9,7 @@
 #pragma once
 
 #include <graze/formula/contact.hpp>
-#include <graze/predicate/rounded_time.hpp>
+#include <graze/time/rounded_time.hpp>
 
 namespace graze::detail {
 

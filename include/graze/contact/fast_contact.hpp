@@ -5,7 +5,7 @@
 #include <graze/contact/contact.hpp>
 #include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
-#include <graze/number/fused.hpp>
+#include <graze/machine/fused.hpp>
 
 namespace graze::detail {
 

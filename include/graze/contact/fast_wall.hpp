@@ -5,7 +5,7 @@
 #include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
 #include <graze/formula/solution.hpp>
-#include <graze/predicate/bounded_time.hpp>
+#include <graze/time/bounded_time.hpp>
 
 namespace graze::detail {
 

@@ -4,8 +4,8 @@
 // of the time. proofs/contact/parts.cpp derives the counts from these steps.
 #pragma once
 
-#include <graze/predicate/fast_approach.hpp>
-#include <graze/predicate/rounding_test.hpp>
+#include <graze/time/fast_approach.hpp>
+#include <graze/time/rounding_test.hpp>
 
 namespace graze::detail {
 

@@ -1,8 +1,8 @@
 // Any formula in integers wide enough for the inputs at hand.
 #pragma once
 
-#include <graze/number/binary.hpp>
-#include <graze/number/sparse_integer.hpp>
+#include <graze/exact/binary.hpp>
+#include <graze/exact/sparse_integer.hpp>
 
 namespace graze::detail {
 

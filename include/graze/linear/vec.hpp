@@ -1,7 +1,7 @@
 // Vectors of the plane and of space, and the products that the equations use.
 #pragma once
 
-#include <graze/number/traits.hpp>
+#include <graze/number/floating.hpp>
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // An unevaluated sum of two doubles: about 106 bits with the exponents of double.
 #pragma once
 
-#include <graze/number/error_free.hpp>
+#include <graze/machine/error_free.hpp>
 #include <graze/number/floating.hpp>
 
 #include <compare>
@@ -11,7 +11,7 @@ namespace graze {
 // high + low with high = RN(high + low). The bounds beside the operations are relative to the exact result, with u =
 // 2^-53, proved by Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of
 // double-word arithmetic", ACM TOMS 44(2), 2017 (their theorems are cited by algorithm), and in Coq by Muller and
-// Rideau, ACM TOMS 48(1), 2022. They hold where error-free transforms do (number/error_free.hpp): doubles rounded to
+// Rideau, ACM TOMS 48(1), 2022. They hold where error-free transforms do (machine/error_free.hpp): doubles rounded to
 // nearest, nothing over- or underflows, products and quotients not below 2^-916. With a fused multiply-add or without.
 class double_word {
   public:

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <graze/formula/root_order.hpp>
-#include <graze/formula/solve.hpp>
+#include <graze/formula/solve_balls.hpp>
+#include <graze/formula/solve_plane.hpp>
+#include <graze/formula/solve_wall.hpp>
 #include <graze/precision/subject.hpp>
 
 namespace graze::precision {

@@ -4,11 +4,11 @@
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
-#include <graze/predicate/exact_sign.hpp>
-#include <graze/predicate/input_check.hpp>
-#include <graze/predicate/pair.hpp>
-#include <graze/predicate/rounded_motion.hpp>
-#include <graze/predicate/stage.hpp>
+#include <graze/pair/exact_sign.hpp>
+#include <graze/pair/input_check.hpp>
+#include <graze/pair/pair.hpp>
+#include <graze/pair/rounded_motion.hpp>
+#include <graze/pair/stage.hpp>
 
 #include <algorithm>
 #include <cmath>

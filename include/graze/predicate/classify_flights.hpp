@@ -1,9 +1,9 @@
 // What becomes of two flights, exactly, from the instant on at which the later one starts.
 #pragma once
 
+#include <graze/pair/flight_pair.hpp>
 #include <graze/predicate/classify_balls.hpp>
 #include <graze/predicate/classify_walls.hpp>
-#include <graze/predicate/flight_pair.hpp>
 
 #include <concepts>
 

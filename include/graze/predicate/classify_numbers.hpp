@@ -2,8 +2,8 @@
 // decisions.
 #pragma once
 
+#include <graze/exact/binary.hpp>
 #include <graze/formula/solve_wall.hpp>
-#include <graze/number/binary.hpp>
 
 #include <stdexcept>
 #include <string>

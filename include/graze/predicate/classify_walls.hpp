@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/formula/encounter.hpp>
-#include <graze/predicate/wall_signs.hpp>
+#include <graze/pair/wall_signs.hpp>
 
 namespace graze {
 

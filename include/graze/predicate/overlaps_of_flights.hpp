@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/predicate/classify_flights.hpp>
-#include <graze/predicate/overlaps.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
 
 namespace graze {
 

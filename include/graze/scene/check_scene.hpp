@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/formula/wall_features.hpp>
-#include <graze/predicate/input_check.hpp>
+#include <graze/pair/input_check.hpp>
 #include <graze/scene/scene.hpp>
 
 #include <string>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <graze/contact/collide_flights.hpp>
-#include <graze/predicate/time_of_flights.hpp>
 #include <graze/scene/mechanics.hpp>
+#include <graze/time/time_of_flights.hpp>
 
 #include <limits>
 

@@ -1,10 +1,10 @@
 // The earliest event of a scene, exactly.
 #pragma once
 
-#include <graze/predicate/time_of_impact.hpp>
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/meeting.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <optional>
 #include <stdexcept>

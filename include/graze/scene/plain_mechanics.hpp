@@ -1,7 +1,9 @@
 // A run in any number type, by the formulas as they are.
 #pragma once
 
-#include <graze/formula/solve.hpp>
+#include <graze/formula/solve_balls.hpp>
+#include <graze/formula/solve_plane.hpp>
+#include <graze/formula/solve_wall.hpp>
 #include <graze/scene/mechanics.hpp>
 
 #include <limits>

@@ -1,10 +1,10 @@
 // graze, and the formulas in the number types of the machine.
 #include "contestant.hpp"
 
-#include <graze/formula/solve.hpp>
 #include <graze/graze.hpp>
+#include <graze/solve.hpp>
 #ifdef GRAZE_PEERS_FLOAT128
-#include <graze/number/float128.hpp>
+#include <graze/number/adapter/float128.hpp>
 #endif
 
 #include <algorithm>

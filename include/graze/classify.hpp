@@ -1,0 +1,7 @@
+// What becomes of two balls, or of a ball and a plane or a wall: classify, exactly. Flights as well as balls.
+#pragma once
+
+#include <graze/predicate/classify_balls.hpp>
+#include <graze/predicate/classify_flights.hpp>
+#include <graze/predicate/classify_numbers.hpp>
+#include <graze/predicate/classify_walls.hpp>

@@ -1,0 +1,55 @@
+// Wide integers as doubles with an exponent of their own.
+#pragma once
+
+#include <graze/exact/sparse_integer.hpp>
+
+#include <bit>
+#include <cstdint>
+
+namespace graze::detail {
+
+// significand · 2^exponent, within 4u of an integer, relatively, in any rounding mode; 0 is exact. The significand is
+// below 2^65 in magnitude, so that it and its square can neither over- nor underflow.
+struct scaled_double {
+    double significand = 0;
+    int exponent = 0;
+};
+
+// 2^power; power in [-1022, 1023].
+[[nodiscard]] constexpr double power_of_two(int power) noexcept {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(power + 1023) << 52);
+}
+
+template <int Bits>
+[[nodiscard]] constexpr scaled_double approximate(const integer<Bits>& x) noexcept {
+    const integer<Bits> magnitude = x.is_negative() ? -x : x;
+    int top = integer<Bits>::limbs - 1;
+    while (top > 0 && magnitude.limb(top) == 0) {
+        --top;
+    }
+    // The top limb and 64 bits of what follows, normalised: at least 64 significant bits.
+    const int zeros = std::countl_zero(magnitude.limb(top));
+    const std::uint64_t below = top > 0 ? magnitude.limb(top - 1) : 0;
+    const std::uint64_t word =
+        zeros == 0 || zeros == 64 ? magnitude.limb(top) : magnitude.limb(top) << zeros | below >> (64 - zeros);
+    const double value = static_cast<double>(static_cast<std::int64_t>(word >> 1)) * 2.0;
+    return {x.is_negative() ? -value : value, 64 * top - (zeros == 64 ? 0 : zeros)};
+}
+
+template <int Bits>
+[[nodiscard]] constexpr scaled_double approximate(const sparse_integer<Bits>& x) noexcept {
+    if (x.count() == 0) {
+        return {};
+    }
+    // The highest digit may be small: the next one then carries the significant bits. What is below is less than one
+    // part in 2^63 of these two.
+    const int last = x.count() - 1;
+    const int position = x.position(last);
+    const auto high = static_cast<double>(x.digit(last));
+    if (last == 0 || x.position(last - 1) < position - 1) {
+        return {high, 64 * position};
+    }
+    return {high + static_cast<double>(x.digit(last - 1)) * 0x1p-64, 64 * position};
+}
+
+} // namespace graze::detail

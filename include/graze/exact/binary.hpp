@@ -1,0 +1,188 @@
+// Finite binary numbers taken apart: significand · 2^exponent, from their bits alone.
+#pragma once
+
+#include <graze/machine/fence.hpp>
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace graze {
+
+// The types of whose values the predicates take decisions: float, double, and signed integers of 32 and of 64 bits
+// under whichever name.
+template <class T>
+inline constexpr bool is_binary_input = std::same_as<T, float> || std::same_as<T, double> ||
+                                        (std::signed_integral<T> && (sizeof(T) == 4 || sizeof(T) == 8));
+
+} // namespace graze
+
+namespace graze::detail {
+
+// significand · 2^exponent. The significand is odd or 0 (then the exponent means nothing).
+struct binary {
+    std::int64_t significand = 0;
+    int exponent = 0;
+};
+
+// The bits of x, read through the reference, so that no arithmetic register quietens or flushes the value.
+[[nodiscard]] constexpr std::uint64_t bits_of(const double& x) noexcept { return std::bit_cast<std::uint64_t>(x); }
+[[nodiscard]] constexpr std::uint32_t bits_of(const float& x) noexcept { return std::bit_cast<std::uint32_t>(x); }
+
+[[nodiscard]] constexpr binary odd(std::int64_t significand, int exponent) noexcept {
+    if (significand == 0) {
+        return {0, 0};
+    }
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(significand));
+    return {significand >> zeros, exponent + zeros};
+}
+
+// Whether x is neither infinite nor NaN, by its exponent bits.
+[[nodiscard]] constexpr bool is_finite_input(const double& x) noexcept {
+    return (bits_of(x) & 0x7ff0000000000000U) != 0x7ff0000000000000U;
+}
+[[nodiscard]] constexpr bool is_finite_input(const float& x) noexcept {
+    return (bits_of(x) & 0x7f800000U) != 0x7f800000U;
+}
+template <std::signed_integral T>
+[[nodiscard]] constexpr bool is_finite_input(const T&) noexcept {
+    return true;
+}
+
+// Whether T is an integer that a double may not hold.
+template <class T>
+inline constexpr bool is_wide_integer = std::signed_integral<T> && sizeof(T) == 8;
+
+// Whether x is so small that a mode may read it as 0. By one range of the bits: clang makes a comparison of all of them
+// but the sign with 0 a comparison of x itself, which then reads it as 0.
+[[nodiscard]] constexpr bool is_subnormal(const double& x) noexcept {
+    return (bits_of(x) << 1 >> 1) - 1 < 0xfffffffffffffU;
+}
+[[nodiscard]] constexpr bool is_subnormal(const float& x) noexcept { return (bits_of(x) << 1 >> 1) - 1 < 0x7fffffU; }
+
+// x as significand · 2^exponent with the significand as it is stored.
+[[nodiscard]] constexpr binary split(const double& x) noexcept {
+    const std::uint64_t bits = bits_of(x);
+    const int field = static_cast<int>(bits >> 52 & 0x7ff);
+    const std::uint64_t hidden = field != 0 ? std::uint64_t{1} << 52 : 0;
+    const auto magnitude = static_cast<std::int64_t>((bits & 0xfffffffffffffU) | hidden);
+    return {bits >> 63 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 1075};
+}
+[[nodiscard]] constexpr binary split(const float& x) noexcept {
+    const std::uint32_t bits = bits_of(x);
+    const int field = static_cast<int>(bits >> 23 & 0xff);
+    const std::uint32_t hidden = field != 0 ? std::uint32_t{1} << 23 : 0;
+    const auto magnitude = static_cast<std::int64_t>((bits & 0x7fffffU) | hidden);
+    return {bits >> 31 != 0 ? -magnitude : magnitude, (field != 0 ? field : 1) - 150};
+}
+template <std::signed_integral T>
+[[nodiscard]] constexpr binary split(const T& x) noexcept {
+    return {x, 0};
+}
+
+// x taken apart; x is finite. Exact for subnormals, whatever the flushing mode.
+template <class T>
+requires is_binary_input<T>
+[[nodiscard]] constexpr binary to_binary(const T& x) noexcept {
+    const binary b = split(x);
+    return odd(b.significand, b.exponent);
+}
+
+// |x| as an unsigned number of the same order; its least bits are the significand's, without the hidden one.
+[[nodiscard]] constexpr std::uint64_t order_of_magnitude(const double& x) noexcept { return bits_of(x) << 1 >> 1; }
+[[nodiscard]] constexpr std::uint64_t order_of_magnitude(const float& x) noexcept { return bits_of(x) << 1 >> 1; }
+template <std::signed_integral T>
+[[nodiscard]] constexpr std::uint64_t order_of_magnitude(const T& x) noexcept {
+    const auto bits = static_cast<std::uint64_t>(std::int64_t{x});
+    return x < 0 ? 0 - bits : bits;
+}
+
+// Whether x is 0 of either sign. Were it known whose bits these are, clang 19 would compare numbers instead where it
+// takes two at a time, and a subnormal is equal to 0 wherever it is read as that.
+template <class T>
+requires is_binary_input<T>
+[[nodiscard]] constexpr bool is_zero(const T& x) noexcept { return opaque(order_of_magnitude(x)) == 0; }
+
+// The exponent that split gives to a number of this order, and how many bits its stored significand has at most.
+template <class T>
+[[nodiscard]] constexpr int stored_exponent(std::uint64_t order) noexcept {
+    if constexpr (std::signed_integral<T>) {
+        return 0;
+    } else {
+        constexpr int digits = std::numeric_limits<T>::digits;
+        const int field = static_cast<int>(order >> (digits - 1));
+        return (field != 0 ? field : 1) - (std::numeric_limits<T>::max_exponent + digits - 2);
+    }
+}
+template <class T>
+[[nodiscard]] constexpr int stored_bits(std::uint64_t highest_order) noexcept {
+    return std::signed_integral<T> ? static_cast<int>(std::bit_width(highest_order)) : std::numeric_limits<T>::digits;
+}
+
+// K numbers as integers on one scale: value_i = get(i) · 2^exponent, |get(i)| < 2^width. Zeros take no part in the
+// scale; bits that are zero in all significands are left out, so that small integers and numbers on a grid stay narrow.
+template <std::size_t K>
+struct lifted {
+    std::array<std::int64_t, K> significand; // not zeroed first: lift writes all of them
+    std::array<int, K> power;
+    int lowest = 0; // the exponent of a significand that is not shifted
+    int zeros = 0;  // below every significand
+    int exponent = 0;
+    int width = 0;
+
+    // Value i over 2^exponent, in an integer type of at least `width` bits.
+    template <class I>
+    [[nodiscard]] constexpr I get(std::size_t i) const noexcept {
+        return I::from_shifted(significand[i] >> zeros, significand[i] != 0 ? power[i] - lowest : 0);
+    }
+};
+
+// K finite numbers from `values` on, lifted.
+template <std::size_t K, class T>
+constexpr void lift(lifted<K>& r, const T* values) noexcept {
+    std::uint64_t high = 0;
+    std::uint64_t low = ~std::uint64_t{0}; // of the orders less one: 0 becomes the highest
+    std::uint64_t any = 0;
+    for (std::size_t i = 0; i < K; ++i) {
+        const std::uint64_t order = order_of_magnitude(values[i]);
+        const binary x = split(values[i]);
+        r.significand[i] = x.significand;
+        r.power[i] = x.exponent;
+        any |= order;
+        high = order > high ? order : high;
+        low = order - 1 < low ? order - 1 : low;
+    }
+    if (opaque(any) == 0) { // as in is_zero
+        return;
+    }
+    if constexpr (!std::signed_integral<T>) {
+        any |= std::uint64_t{1} << (std::numeric_limits<T>::digits - 1); // hidden bits, of which there is none or this
+    }
+    r.zeros = std::countr_zero(any);
+    r.lowest = stored_exponent<T>(low + 1);
+    r.exponent = r.lowest + r.zeros;
+    r.width = stored_exponent<T>(high) - r.lowest + stored_bits<T>(high) - r.zeros;
+}
+
+// Brings a group to a scale that is not above its own.
+template <std::size_t K>
+constexpr void lower(lifted<K>& x, int exponent) noexcept {
+    const int down = x.exponent - exponent;
+    x.lowest -= down;
+    x.exponent = exponent;
+    x.width += down;
+}
+
+// Brings two groups to their common scale and width.
+template <std::size_t K, std::size_t L>
+constexpr void align(lifted<K>& x, lifted<L>& y) noexcept {
+    const int exponent = x.exponent < y.exponent ? x.exponent : y.exponent;
+    lower(x, exponent);
+    lower(y, exponent);
+    x.width = y.width = x.width > y.width ? x.width : y.width;
+}
+
+} // namespace graze::detail

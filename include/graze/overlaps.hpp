@@ -1,0 +1,5 @@
+// Whether two things are inside each other: overlaps, exactly. Flights as well as balls.
+#pragma once
+
+#include <graze/predicate/overlaps_of_flights.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>

@@ -1,0 +1,61 @@
+// The sign of any formula of an exact motion; where the motion's integers are wide, of an estimate if that is certain.
+#pragma once
+
+#include <graze/exact/estimate.hpp>
+#include <graze/formula/relative_motion.hpp>
+#include <graze/formula/wall_features.hpp>
+
+#include <array>
+
+namespace graze::detail {
+
+// Whether a motion's numbers are so wide that a formula in estimates is cheap beside the formula itself.
+template <class M>
+inline constexpr bool is_wide = false;
+template <int N, int Bits, class U, class S>
+inline constexpr bool is_wide<relative_motion<N, sparse_integer<Bits>, U, S>> = true;
+template <int N, int Bits, class U, class E, class S>
+inline constexpr bool is_wide<plane_motion<N, sparse_integer<Bits>, U, E, S>> = true;
+template <int N, int Bits, class U, class E, class S, class NN, class M>
+inline constexpr bool is_wide<wall_motion<N, sparse_integer<Bits>, U, E, S, NN, M>> = true;
+
+template <int N, class T>
+[[nodiscard]] constexpr vec<N, estimate> estimated(const vec<N, T>& x) noexcept {
+    return make_vec<N>([&](int i) { return estimate_of(x[i]); });
+}
+template <int N, class X, class U, class S>
+[[nodiscard]] constexpr auto estimated(const relative_motion<N, X, U, S>& m) noexcept {
+    return relative_motion{estimated(m.dx), estimated(m.du), estimate_of(m.R)};
+}
+template <int N, class X, class U, class E, class S>
+[[nodiscard]] constexpr auto estimated(const plane_motion<N, X, U, E, S>& m) noexcept {
+    return plane_motion{estimated(m.w), estimated(m.u), estimated(m.n), estimate_of(m.r)};
+}
+template <int N, class X, class U, class E, class S, class NN, class M>
+[[nodiscard]] constexpr auto estimated(const wall_motion<N, X, U, E, S, NN, M>& m) noexcept {
+    wall_motion<N, estimate, estimate, estimate, estimate, estimate, estimate> r{estimated(m.w),   estimated(m.u), {},
+                                                                                 estimate_of(m.r), estimated(m.n), {}};
+    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
+        r.e[i] = estimated(m.e[i]);
+        r.side[i] = estimated(m.side[i]);
+    }
+    return r;
+}
+
+// The exact sign of f(m). instead(e), e the motion in estimates, is the same number, perhaps in a form that cancels
+// less.
+template <class M, class F, class G>
+[[nodiscard]] constexpr int exact_sign(const M& m, F f, G instead) {
+    if constexpr (is_wide<M>) {
+        if (const estimate e = instead(estimated(m)); is_certain(e)) {
+            return e.value < 0 ? -1 : 1;
+        }
+    }
+    return sign(f(m));
+}
+template <class M, class F>
+[[nodiscard]] constexpr int exact_sign(const M& m, F f) {
+    return exact_sign(m, f, f);
+}
+
+} // namespace graze::detail

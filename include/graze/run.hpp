@@ -1,0 +1,7 @@
+// Event-driven runs of a scene: run, in graze's exact mechanics or in any number type.
+#pragma once
+
+#include <graze/number/floating.hpp>
+#include <graze/scene/exact_mechanics.hpp>
+#include <graze/scene/plain_mechanics.hpp>
+#include <graze/scene/run.hpp>

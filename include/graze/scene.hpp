@@ -1,0 +1,6 @@
+// Many balls, planes and walls: scene, check, and first_events, which finds what happens first.
+#pragma once
+
+#include <graze/scene/check_scene.hpp>
+#include <graze/scene/first_events.hpp>
+#include <graze/scene/scene.hpp>

@@ -1,0 +1,109 @@
+// When a ball touches a plane or a feature of a wall, by the formulas in numbers that bound their own error.
+#pragma once
+
+#include <graze/formula/roots.hpp>
+#include <graze/machine/fence.hpp>
+#include <graze/number/bounded_word.hpp>
+#include <graze/time/event.hpp>
+#include <graze/time/rounding_test.hpp>
+
+namespace graze::detail {
+
+// Numbers of a row as pair kinds take them.
+template <class T>
+struct bounded_group {
+    const T* first;
+
+    template <class I>
+    [[nodiscard]] I get(std::size_t i) const noexcept {
+        return I(static_cast<double>(as_stored(first[i])));
+    }
+};
+template <class P, class T>
+struct bounded_row {
+    bounded_group<T> length, velocity, normal;
+
+    explicit bounded_row(const T* row) noexcept
+        : length{row}, velocity{row + P::lengths}, normal{row + P::lengths + P::velocities} {}
+};
+
+template <int N, class T>
+[[nodiscard]] auto bounded_motion(ball_and_plane<N>, const T* row) noexcept {
+    using P = ball_and_plane<N>;
+    return P::template motion<bounded_word>(bounded_row<P, T>(row));
+}
+
+// A ball seen from a wall, without what only the borders of faces are tested with.
+template <int N>
+struct bounded_wall_motion {
+    vec<N, bounded_word> w, u;
+    std::array<vec<N, bounded_word>, N - 1> e;
+    bounded_word r;
+};
+template <int N, class T>
+[[nodiscard]] bounded_wall_motion<N> bounded_motion(ball_and_wall<N>, const T* row) noexcept {
+    using P = ball_and_wall<N>;
+    const auto s = P::template shapes_of<bounded_word>(bounded_row<P, T>(row));
+    return {s.ball.position - s.wall.corner, s.ball.velocity, s.wall.edge, s.ball.radius};
+}
+template <int N>
+[[nodiscard]] bounded_wall_motion<N> seen_from(const bounded_wall_motion<N>& m, wall_view view) noexcept {
+    return {centre_seen_from(m.w, m.e, view), m.u, edges_seen_from(m.e, view), m.r};
+}
+template <int N>
+[[nodiscard]] auto face_of(const bounded_wall_motion<N>& m) noexcept {
+    return plane_motion{m.w, m.u, face_normal(m.e), m.r};
+}
+
+// Of a hit on a plane or a face: (33) completed.
+template <class M>
+[[nodiscard]] bounded_word face_time(const M& m) noexcept {
+    const bounded_word height = plane_height{}(m);
+    if (!height.has_certain_sign()) {
+        return bounded_word::unknown();
+    }
+    return plane_touch_time{}(height, plane_speed{}(m), m.r * sqrt(graze::squared_norm(m.n)));
+}
+
+// Of a hit, by the quadratic of an edge or a corner and its discriminant.
+[[nodiscard]] inline bounded_word root_time(const quadratic<bounded_word, bounded_word, bounded_word>& q,
+                                            const bounded_word& discriminant) noexcept {
+    return root_stable{}(q.c, q.h, sqrt(discriminant));
+}
+
+// m: seen from the view in which the edge is the edge λ_0 = 0.
+template <class M>
+[[nodiscard]] bounded_word edge_time(const M& m) noexcept {
+    return root_time(edge_quadratic(m), edge_discriminant{}(m));
+}
+// m: seen from the corner.
+template <class M>
+[[nodiscard]] bounded_word corner_time(const M& m) noexcept {
+    const auto relative = corner_motion(m);
+    return root_time(quadratic_of(relative), discriminant_lagrange{}(relative));
+}
+
+// Of an event that is a hit on a plane or a wall.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] bounded_word hit_time(const event<N, T>& e) noexcept {
+    if (e.kind == event_kind::plane) {
+        return face_time(bounded_motion(ball_and_plane<N>{}, e.row.data()));
+    }
+    const auto m = bounded_motion(ball_and_wall<N>{}, e.row.data());
+    if (e.kind == event_kind::face) {
+        return face_time(face_of(m));
+    }
+    if constexpr (N == 3) {
+        if (e.kind == event_kind::edge) {
+            return edge_time(seen_from(m, edge_view(e.index)));
+        }
+    }
+    return corner_time(seen_from(m, wall_view{e.index, false}));
+}
+
+// The value with what its error is at most.
+[[nodiscard]] inline bounded<double> as_bounds(const bounded_word& x) noexcept {
+    return {x.value().high(), x.value().low(), (1 + 0x1p-40) * x.error()};
+}
+
+} // namespace graze::detail

@@ -1,0 +1,155 @@
+// When two centres are at a given distance, as a sum of two doubles with a proven error: one Newton step from a time in
+// doubles, with the residual |Δx + Δu t|² - R² from error-free transforms.
+//
+// u = 2^-53, doubles rounded to nearest. The values that are not error-free are low parts, where a rounding costs u²;
+// whether a sum of theirs is contracted or reordered makes no difference to the counts of roundings below, which
+// proofs/contact/parts.cpp derives from these steps.
+#pragma once
+
+#include <graze/filter/static_filter.hpp>
+#include <graze/machine/environment.hpp>
+#include <graze/machine/error_free.hpp>
+#include <graze/machine/fence.hpp>
+#include <graze/machine/lanes.hpp>
+#include <graze/shape/ball.hpp>
+#include <graze/time/rounding_test.hpp>
+
+namespace graze::detail {
+
+// Δx with R in a lane of its own; Δu. Each is value + error, exactly: |error| <= u |value|.
+struct lane_motion {
+    exact_pair<lanes> x01, xR2, u01, u_2;
+};
+
+// From where the numbers of two balls start.
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline lane_motion lane_motion_of(const T* x_a, const T* x_b, const T* u_a,
+                                                                    const T* u_b, const T& r_a, const T& r_b) noexcept {
+    const auto at = [](const T* x, int i) { return static_cast<double>(as_stored(x[i])); };
+    const auto third = [&](const T* x) { return N == 3 ? at(x, N - 1) : 0.0; };
+    lane_motion m;
+    m.x01 = two_difference(lanes{at(x_a, 0), at(x_a, 1)}, lanes{at(x_b, 0), at(x_b, 1)});
+    m.xR2 = two_difference(lanes{read_alone(at(&r_a, 0)), third(x_a)}, lanes{-read_alone(at(&r_b, 0)), third(x_b)});
+    m.u01 = two_difference(lanes{at(u_a, 0), at(u_a, 1)}, lanes{at(u_b, 0), at(u_b, 1)});
+    m.u_2 = two_difference(lanes{0, third(u_a)}, lanes{0, third(u_b)});
+    return m;
+}
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] inline lane_motion lane_motion_of(const ball<N, T>& a, const ball<N, T>& b) noexcept {
+    return lane_motion_of<N>(a.position.component, b.position.component, a.velocity.component, b.velocity.component,
+                             a.radius, b.radius);
+}
+
+// Δx + Δu t0 in two lanes, with what the next steps need of it.
+template <bool Fused, class V = lanes>
+struct lane_displacement {
+    factor<V, Fused> high; // yh
+    V low;                 // yl: y = yh + yl
+    factor<V, Fused> du;   // Δu's value
+};
+
+// With m = |Δx| + |Δu| t0 lane by lane, of values: |yl| <= 3.02 u m, and the error of yh + yl is at most 7.01 u² m: the
+// exact y is yh + the errors of the sum, the product and Δx + (the error of Δu) t0, which are at most u m, u |Δu| t0, u
+// |Δx| and u |Δu| t0; the four roundings in adding them up cost u² (|Δu| t0 + m + (m + |Δu| t0) + (2m + |Δu| t0)).
+template <bool Fused, class V>
+[[nodiscard, gnu::always_inline]] constexpr inline lane_displacement<Fused, V>
+displacement(const exact_pair<V>& dx, const exact_pair<V>& du, const factor<V, Fused>& t0) noexcept {
+    const auto speed = as_factor<Fused>(du.value);
+    const auto way = two_product(speed, t0);
+    const auto sum = two_sum(dx.value, way.value);
+    return {as_factor<Fused>(sum.value), sum.error + (way.error + (dx.error + du.error * t0.value)), speed};
+}
+
+// |y|² - R², y2's first lane R, in two lanes of a value and a low part each; but for the squares of low parts.
+template <bool Fused, class V>
+[[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
+distance_residual(const lane_displacement<Fused, V>& y01, const lane_displacement<Fused, V>& yR2) noexcept {
+    const auto square01 = two_square(y01.high);
+    const auto squareR2 = two_square(yR2.high);
+    const auto low_terms = [](const auto& y, const exact_pair<V>& square) __attribute__((always_inline)) {
+        return V(square.error + y.low * (y.high.value + y.high.value));
+    };
+    const V less_R{-1, 1};
+    const auto sum = two_sum(square01.value, V(less_R * squareR2.value));
+    return {sum.value, sum.error + (low_terms(y01, square01) + less_R * low_terms(yR2, squareR2))};
+}
+
+// τ = t0 + t1 with an error of at most `error`, if good.
+template <bool Fused>
+struct fast_approach {
+    lane_motion motion;
+    factor<lanes, Fused> t0;
+    lane_displacement<Fused> y01, yR2; // at t0
+    double t1;
+    double error;
+    double sensitivity; // γ >= (L V/σ)²
+    double per_time;    // a/σ: what an error of the time is to σ, relatively
+    bool good;
+
+    [[nodiscard]] bounded<double> time() const noexcept { return {t0.value[0], t1, error}; }
+};
+
+// The smaller root τ near t0, for D > 0. Let L² = |Δx|² + R², V = |Δu|, y = Δx + Δu t0, f = |y|² - R² and σ = -y·Δu.
+// For σ > 0 the smaller root is t0 + δ with δ = (f + V² δ²)/(2σ) and |δ| <= |f|/σ (as D = σ² - V² f > 0). t1 = f/(2σ)
+// with computed f and σ. `good` means that γ < 2^40 and |t1| < 2^-50 L²/σ (so that σ > 0, and V² |t1|/σ < 2^-50 γ <
+// 2^-10), for the computed values, and that L² and V² are in ranges where nothing over- or underflows that matters.
+// Then
+//   |y|² < 1.0022 R², so σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the balls are apart), t0 < 1.43 L/V,
+//     and with m as above, |m| <= 2.25 L;
+//   |σ̂ - σ| <= 3.01 u |y| V + u (|y| V + 2.25·3.02 L V) <= 10 u L V < 2^-9 σ;
+//   the low terms of f add up to at most u (1 + 1 + 2.02 + 2.01) R² + 2.01·3.02 u |m| R <= 18.1 u L R (errors of the
+//     squares, of R², of the sums, R's error, and 2 yl yh), with at most 6 roundings each: 109 u² L R; y's error makes
+//     2.01 R·7.01 u² |m| <= 32 u² L R; the difference that cancels adds 18 u² L R and, with f's last rounding, 2 u |f|;
+//     what is left out, |yl|² and R's error squared, is at most (3.02·2.25)² u² L² + u² R² <= 47 u² L². Together
+//     |f̂ - f| <= 163 u² L² + 2 u |f|;
+//   |τ - t0 - t1| <= (163 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
+//     0.51 γ: below (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included, and that, by
+//     V² |t1|/σ < 2^-50 γ, below error := 2^-99 L²/σ + (1.25 + 0.5 + 2^-4) 2^-48 γ |t1|.
+// So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
+//
+// length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
+// length2 more in f, 175 in place of 163, and error bounds it still.
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m, double time,
+                                                                            double length2) noexcept {
+    fast_approach<Fused> r;
+    r.motion = m;
+    r.t0 = as_factor<Fused>(both(time));
+    r.y01 = displacement(m.x01, m.u01, r.t0);
+    r.yR2 = displacement(m.xR2, m.u_2, r.t0);
+    const auto f = distance_residual(r.y01, r.yR2);
+    const double residual = settled(settled(f.value[0] + f.value[1]) + (f.error[0] + f.error[1]));
+
+    const lanes along = r.y01.high.value * m.u01.value + r.yR2.high.value * m.u_2.value;
+    const double sigma = -(along[0] + along[1]);
+    const lanes squares = m.u01.value * m.u01.value + m.u_2.value * m.u_2.value;
+    const double speed2 = squares[0] + squares[1];
+    const double inverse = 1 / sigma;
+    r.t1 = settled(residual * (0.5 * inverse));
+    r.per_time = speed2 * inverse;
+    const double way = length2 * inverse;
+    r.sensitivity = r.per_time * way;
+    const double magnitude = absolute(r.t1);
+    r.error = settled(0x1p-99 * way + magnitude * (0x1.dp-48 * r.sensitivity));
+    const auto all = [](auto... conditions) __attribute__((always_inline)) {
+        return (static_cast<unsigned>(conditions) & ...) != 0;
+    }; // one branch
+    r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), r.sensitivity < 0x1p40,
+                 0x1p50 * magnitude < way);
+    return r;
+}
+
+// |Δx|² + R².
+[[nodiscard, gnu::always_inline]] inline double squared_length(const lane_motion& m) noexcept {
+    const lanes x01 = m.x01.value * m.x01.value;
+    const lanes xR2 = m.xR2.value * m.xR2.value;
+    const lanes sum2 = x01 + xR2;
+    return sum2[0] + sum2[1];
+}
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m,
+                                                                            double time) noexcept {
+    return approach_near<Fused>(m, time, squared_length(m));
+}
+
+} // namespace graze::detail

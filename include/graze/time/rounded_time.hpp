@@ -1,0 +1,187 @@
+// An event's exact time, rounded.
+#pragma once
+
+#include <graze/exact/surd.hpp>
+#include <graze/time/enclosure.hpp>
+#include <graze/time/event.hpp>
+#include <graze/time/fast_time.hpp>
+
+namespace graze::detail {
+
+// What the surds of a motion in integers are made of.
+template <class M>
+[[nodiscard]] constexpr auto surd_integer_of(const M& m) noexcept {
+    if constexpr (requires { m.R; }) {
+        return surd_integer<std::remove_cvref_t<decltype(m.R)>>();
+    } else {
+        return surd_integer<std::remove_cvref_t<decltype(m.r)>>();
+    }
+}
+template <class M>
+using surd_integer_for = decltype(surd_integer_of(std::declval<M>()));
+
+// Times that count from the instant of the positions: way, which at the given speed takes the time, as it is.
+struct from_now {
+    template <class W, class S>
+    [[nodiscard]] constexpr const W& operator()(const W& way, const S&) const noexcept {
+        return way;
+    }
+};
+// And from an instant that is earlier by `start`.
+template <class I>
+struct from_earlier {
+    I start;
+    template <class W, class S>
+    [[nodiscard]] constexpr auto operator()(const W& way, const S& speed) const {
+        return way + start * speed;
+    }
+};
+
+// The smaller root (-h - √D)/a of a quadratic with a > 0, in units of 2^unit.
+template <class T, class Z, class A, class H, class From = from_now>
+[[nodiscard]] constexpr T round_root(const A& a, const H& h, const radicand<Z>& discriminant, int unit,
+                                     rounding mode = rounding::nearest, const From& counted = {}) {
+    return round_to<T>(counted(-h, a), Z(-1), discriminant, a, unit, mode);
+}
+
+// The same for h < 0 and c >= 0, as c/(-h + √D).
+template <class T, class Z, class Q>
+[[nodiscard]] constexpr T round_root_from_now(const Q& q, const radicand<Z>& discriminant, int unit,
+                                              rounding mode = rounding::nearest) {
+    return round_to_by_norm<T>(-q.h, Z(-1), discriminant, q.a, q.c, unit, mode);
+}
+
+// When a ball that approaches a plane touches it, (33) completed: (|w·n| - r √(n·n))/|u·n|.
+template <class T, class Z, class M, class From = from_now>
+[[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<Z>& normal, int unit,
+                                           rounding mode = rounding::nearest, const From& counted = {}) {
+    const auto height = plane_height{}(m);
+    const auto other = plane_speed{}(m); // of the other sign
+    const bool below = graze::sign(height) < 0;
+    const auto speed = below ? other : -other;
+    return round_to<T>(counted(below ? -height : height, speed), -m.r, normal, speed, unit, mode);
+}
+
+// The same of the centres' distance: balls, or a ball and a corner.
+template <class T, class M, class From = from_now>
+[[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
+    const auto q = quadratic_of(m);
+    const radicand<surd_integer_for<M>> d(discriminant_halved{}(q));
+    if constexpr (std::is_same_v<From, from_now>) {
+        return round_root_from_now<T>(q, d, unit, mode);
+    } else {
+        return round_root<T>(q.a, q.h, d, unit, mode, counted);
+    }
+}
+
+// Of an event of a wall.
+template <class T, int N, class M, class From = from_now>
+[[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode,
+                                          const From& counted = {}) {
+    using Z = surd_integer_for<M>;
+    if (kind == event_kind::face) {
+        return round_plane_time<T>(m, radicand<Z>(face_foot_d{}(m)), unit, mode, counted);
+    }
+    if constexpr (N == 3) {
+        if (kind == event_kind::edge) {
+            const auto view = seen_from(m, edge_view(index));
+            return round_root<T>(edge_a{}(view), edge_h{}(view), radicand<Z>(edge_discriminant{}(view)), unit, mode,
+                                 counted);
+        }
+    }
+    return round_approach_time<T>(corner_motion(seen_from(m, wall_view{index, false})), unit, mode, counted);
+}
+
+// Of a pair of kind P.
+template <class T, int N, class P, class M, class From = from_now>
+[[nodiscard]] constexpr T round_pair_time(event_kind kind, int index, const M& m, int unit, rounding mode,
+                                          const From& counted = {}) {
+    using Z = surd_integer_for<M>;
+    if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
+        return round_wall_time<T, N>(kind, index, m, unit, mode, counted);
+    } else if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
+        return round_plane_time<T>(m, radicand<Z>(graze::squared_norm(m.n)), unit, mode, counted);
+    } else {
+        return round_approach_time<T>(m, unit, mode, counted);
+    }
+}
+
+// The time of an event, from its inputs.
+template <class T, int N, class U>
+[[nodiscard, gnu::noinline]] constexpr T round_exactly(const event<N, U>& e, rounding mode) {
+    if (e.overlap) {
+        return T(0);
+    }
+    return with_pair<N>(e.kind, [&]<class P>(P) {
+        const auto inputs = lift_row<P>(e.row);
+        const int unit = inputs.length.exponent - inputs.velocity.exponent;
+        return with_exact_motion<P>(
+            inputs, [&](const auto& m) { return round_pair_time<T, N, P>(e.kind, e.index, m, unit, mode); });
+    });
+}
+
+// The time of two balls that do not overlap, near `time`, rounded to nearest: by doubles if that leaves no doubt.
+//
+// Of the environment the rounding direction matters alone where the inputs become doubles as they are. Where subnormals
+// are read or written as zeros, an operation loses at most 2^-1022, and R and t0 times that (below 2^201 each) go into
+// |y|² - R²: less than 2^-700, while the error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result of
+// which these bounds leave no doubt is no subnormal double; a float that is one is compared with zero, and in doubt
+// where it is read as that. An input that is a subnormal float, up to 2^-126, must not be read as zero.
+template <class T, int N, class U>
+struct nearest_time {
+    const event<N, U>* e;
+    double time;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] T operator()(std::bool_constant<Fused> fused) const {
+        const auto found = time_by_doubles<N, U>{e->row.data(), time}(fused);
+        const ends<double> interval = ends_of<T>(found.time);
+        const bool to_nearest = std::is_same_v<U, float> ? rounds_to_nearest() : adds_to_nearest();
+        if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
+            return static_cast<T>(interval.upper);
+        }
+        return round_exactly<T>(*e, rounding::nearest);
+    }
+};
+
+// The same of a double.
+template <class T>
+[[nodiscard]] constexpr T round_double(const double& x, rounding mode) {
+    const binary b = to_binary(x);
+    if (b.significand == 0) {
+        return T(0);
+    }
+    const leading exact =
+        leading_of_words(0, static_cast<std::uint64_t>(b.significand < 0 ? -b.significand : b.significand), b.exponent,
+                         b.significand < 0, 0);
+    return round_estimate<T>(exact, mode, [](std::uint64_t, int) { return 0; });
+}
+
+// The time of an event in the enclosure: where both ends are rounded to the same number, so is it.
+template <class T, int N, class U>
+[[nodiscard, gnu::always_inline]] constexpr inline T round_time(const event<N, U>& e, const enclosure& bounds,
+                                                                rounding mode) {
+    if (e.overlap) {
+        return T(0);
+    }
+    if constexpr (std::numeric_limits<T>::digits < 40) { // the enclosure is hardly ever narrow enough for doubles
+        const double upper = bounds.upper();
+        const T low = round_double<T>(bounds.lower(), mode);
+        if (bits_of(low) == bits_of(round_double<T>(upper, mode))) {
+            return low;
+        }
+    }
+    if (!std::is_constant_evaluated()) {
+        if constexpr (is_rounded_by_doubles<U>) { // what nearly every time takes
+            if (mode == rounding::nearest && e.kind == event_kind::balls) [[likely]] {
+                return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
+            }
+        }
+        if (const auto fast = round_fast<T>(e, bounds.near, mode)) {
+            return *fast;
+        }
+    }
+    return round_exactly<T>(e, mode);
+}
+
+} // namespace graze::detail

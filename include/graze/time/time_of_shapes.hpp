@@ -1,0 +1,130 @@
+// When two things meet first, if they do.
+#pragma once
+
+#include <graze/predicate/classify_balls.hpp>
+#include <graze/predicate/classify_walls.hpp>
+#include <graze/time/impact_time.hpp>
+
+#include <optional>
+
+namespace graze {
+
+namespace detail {
+
+// The time of an event with the enclosure that its exact quadratic gives.
+template <int N, class T>
+[[nodiscard]] constexpr impact_time<N, T> enclosed_exactly(event<N, T> e) {
+    constexpr impact_time_key key{};
+    if (e.overlap) {
+        return impact_time<N, T>(key, enclosure{0, 0}, e);
+    }
+    if (std::is_constant_evaluated()) {
+        return impact_time<N, T>(key, enclosure{}, e);
+    }
+    const enclosure bounds = with_pair<N>(e.kind, [&]<class P>(P) {
+        const auto inputs = lift_row<P>(e.row);
+        const int unit = inputs.length.exponent - inputs.velocity.exponent;
+        return with_exact_motion<P>(inputs, [&](const auto& m) {
+            return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) { return enclose(q, unit); });
+        });
+    });
+    e.overlap = bounds.is_zero(); // they touch
+    return impact_time<N, T>(key, bounds, e);
+}
+
+// Of two balls that overlap.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>> time_of_overlap(const ball<N, T>& a,
+                                                                                        const ball<N, T>& b) {
+    return std::optional<impact_time<N, T>>(std::in_place, impact_time_key{}, enclosure{0, 0}, two_balls<N>{}, a, b,
+                                            event_kind::balls, 0, true);
+}
+
+// The time of two balls of which the filter is not certain, or is certain that they hit but not closely enough when.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>> time_of_impact_exactly(const ball<N, T>& a,
+                                                                                               const ball<N, T>& b) {
+    const encounter what = classify_exactly(a, b);
+    if (!is_collision(what)) {
+        return std::nullopt;
+    }
+    return enclosed_exactly(event<N, T>(two_balls<N>{}, a, b, event_kind::balls, 0, what == encounter::overlap));
+}
+
+} // namespace detail
+
+// Laws 1 to 6 of classify_balls.hpp, and
+//   9. a larger ball is met no later.
+
+// The exact time at which two balls touch first; empty for recede and miss. Throws as classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
+time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
+    if (!std::is_constant_evaluated()) {
+        // Half of all pairs part; of the others a hit takes one branch, since what else is asked never differs.
+        const auto started = detail::start_filter(a, b);
+        if (started.is_parting()) {
+            observer(stage::filter);
+            return std::nullopt;
+        }
+        if (const auto hit = started.find_clear_hit(); hit.certain) {
+            observer(stage::filter);
+            // error_root/a is at most (K_D + K_h) length²: √D <= |h| <= length·velocity.
+            using constant = detail::ball_filter<N, T>;
+            static_assert(started.clear * constant::discriminant >= 8 * (constant::discriminant + constant::h));
+            constexpr double error = 1.5 * (constant::c + constant::discriminant + constant::h);
+            const auto bounds = detail::enclose(started.q.c, started.q.h, hit.discriminant, error * started.length2);
+            if (detail::has_error_free_doubles || bounds.is_known()) [[likely]] {
+                return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
+                                                        detail::two_balls<N>{}, a, b, detail::event_kind::balls, 0,
+                                                        false);
+            }
+            return detail::time_of_impact_exactly(a, b);
+        }
+        if (const auto f = started.finish(); f.certain) {
+            observer(stage::filter);
+            const encounter what = f.what();
+            if (!is_collision(what)) { // balls that part as well, of which x87 may be certain only now
+                return std::nullopt;
+            }
+            if (what == encounter::overlap) {
+                return detail::time_of_overlap(a, b);
+            }
+            return detail::time_of_impact_exactly(a, b); // nearly a graze
+        }
+    }
+    auto time = detail::time_of_impact_exactly(a, b);
+    observer(stage::exact);
+    return time;
+}
+
+// The exact time at which a ball touches a plane first; empty when it recedes. Throws as classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const plane<N, T>& p,
+                                                                        Observer&& observer = {}) {
+    const encounter what = classify(b, p, observer);
+    if (!is_collision(what)) {
+        return std::nullopt;
+    }
+    return detail::enclosed_exactly(detail::event<N, T>(detail::ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0,
+                                                        what == encounter::overlap));
+}
+
+// The exact time at which a ball touches a wall's face, edge or corner first; empty for recede and miss. Throws as
+// classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const wall<N, T>& w,
+                                                                        Observer&& observer = {}) {
+    const wall_encounter found = detail::decide_wall(b, w, observer);
+    if (!is_collision(found.what)) {
+        return std::nullopt;
+    }
+    return detail::enclosed_exactly(detail::event<N, T>(detail::ball_and_wall<N>{}, b, w,
+                                                        detail::kind_of<N>(found.where), found.index,
+                                                        found.what == encounter::overlap));
+}
+
+} // namespace graze
