@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Stands for every integer x with |x| < 2^bits. Sums and differences have one bit more than the wider operand, products
 // the bits of both: never fewer than their operands, so that a formula's width is also that of all numbers on the way
@@ -65,4 +65,4 @@ template <class T, class F, class Widths>
     return f(inputs).bits <= exact_bits<T>();
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A number type that speaks of what is computed in floating point of Digits bits. Of a computed value ẑ that stands for
 // an exact one z:
@@ -166,4 +166,4 @@ template <int N, int Digits>
 // The factor that covers the compiler's own roundings of magnitude and error: below 2^12 operations of 2^-53 each.
 inline constexpr double error_bound_slack = 1 + 0x1p-40;
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 class gappa_term;
 
@@ -153,4 +153,4 @@ struct number_traits<gappa_term> {
     static gappa_term twice(const gappa_term& x) { return doubled(x); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

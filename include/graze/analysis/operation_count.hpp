@@ -3,7 +3,7 @@
 
 #include <graze/number/traits.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 struct operation_count {
     int sums = 0; // and differences; a doubling is one
@@ -84,4 +84,4 @@ template <class F>
     return total;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

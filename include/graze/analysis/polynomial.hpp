@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A sum of up to Terms terms c·x₀^e₀·...·x₁₅^e₁₅ in canonical form: == is equality of polynomials. Exact: a coefficient
 // of more than 63 bits, an exponent above 15 or one term too many throws std::overflow_error, which in a constant
@@ -190,4 +190,4 @@ struct number_traits<polynomial<Terms>> {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

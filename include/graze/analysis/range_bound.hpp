@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Of a computed value ẑ that stands for an exact one z: low <= z <= high and |ẑ - z| <= error·u, u = 2^(1-Digits). Each
 // component of a vector has a range of its own (error_bound takes vectors as a whole). The rounding model is
@@ -114,4 +114,4 @@ struct number_traits<range_bound<Digits>> {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <graze/analysis/polynomial.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // numerator/denominator, never reduced; == cross-multiplies. Division by the zero polynomial throws.
 template <int Terms = 256>
@@ -59,4 +59,4 @@ struct number_traits<rational_function<Terms>> {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 [[nodiscard, gnu::always_inline]] inline bool is_usable_mass(double mass) noexcept {
     return mass == 0 || within_powers<-200, 200>(mass);
@@ -123,4 +123,4 @@ template <bool Fused, int N, class T, class F>
     return true;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

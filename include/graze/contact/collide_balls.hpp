@@ -9,7 +9,7 @@
 #include <concepts>
 #include <optional>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -145,4 +145,4 @@ requires is_binary_input<T>
     return detail::contact_of(what, stage::exact, {}, a, b, observer);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

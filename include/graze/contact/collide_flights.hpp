@@ -6,7 +6,7 @@
 #include <graze/contact/fast_flights.hpp>
 #include <graze/time/time_of_flights.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -145,4 +145,4 @@ requires is_binary_input<T>
                               detail::clock_of_flight<T>{f.since});
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -8,7 +8,7 @@
 #include <concepts>
 #include <optional>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -114,4 +114,4 @@ requires is_binary_input<T>
     return detail::contact_of(detail::ball_and_wall<N>{}, found, decided_by, b, w, observer);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -6,7 +6,7 @@
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/linear/vec.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Of two balls, each component the exact value rounded once, to nearest with ties to even. time: from the instant at
 // which the positions are given, τ >= 0. position_a, position_b: of the centres then. normal: the unit vector from b to
@@ -49,4 +49,4 @@ template <int N, class T>
 }
 
 } // namespace detail
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -11,7 +11,7 @@
 #include <graze/formula/contact.hpp>
 #include <graze/time/rounded_time.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The exponents of the scales of lengths and velocities.
 struct scales {
@@ -124,4 +124,4 @@ class exact_overlap {
     radicand<Z> root_{square_};
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

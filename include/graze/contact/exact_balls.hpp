@@ -6,7 +6,7 @@
 #include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Two balls in integers, with their masses; (1, 0) where the first one is infinite.
 template <int N, class M, class X, class U, class W>
@@ -57,4 +57,4 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     }
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -18,7 +18,7 @@
 #include <graze/contact/exact_approach.hpp>
 #include <graze/formula/wall_features.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A ball that meets a plane with hit or overlap; I: the integers of the ball's position.
 template <class T, int N, class M, class I>
@@ -129,4 +129,4 @@ class exact_edge {
         graze::cross(m_.e[1], turned_);
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -7,7 +7,7 @@
 #include <graze/formula/encounter.hpp>
 #include <graze/machine/fused.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Component `number` of a contact, as parts count them.
 template <int N, class T>
@@ -122,4 +122,4 @@ template <int N, class T>
     return open_after(certain, c, a, b, mass_a, mass_b);
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -7,7 +7,7 @@
 #include <graze/contact/fast_contact.hpp>
 #include <graze/shape/flight.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The relative motion at the later start, how long before that each started, and 2 (|x_a - x_b|² + |u lead|²) + R²,
 // at least |Δx|² + R².
@@ -144,4 +144,4 @@ template <int N, class T>
     return open_after(certain, c, a.state, b.state, mass_a, mass_b, bits_of(a.since) == bits_of(b.since));
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

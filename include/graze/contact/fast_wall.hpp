@@ -7,7 +7,7 @@
 #include <graze/formula/solution.hpp>
 #include <graze/time/bounded_time.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Takes numbers and writes those that leave no doubt how they are rounded. An exact 0 is certain where no rounding led
 // to it; what is below 2^-500 is left open.
@@ -127,4 +127,4 @@ template <class P, int N, class T, class Shape, class Clock>
     return take.open_parts();
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -7,7 +7,7 @@
 #include <graze/time/fast_approach.hpp>
 #include <graze/time/rounding_test.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // 1/x of two sums x = value + error: with r = 1 - ih x = 1 - ih value - ih error, 1/x = ih + ih r + ih r²/(1 - r), |r|
 // <= 2.01 u. Its relative error is at most u² + 2u² + 2.1u² + 4.1u² <= 9.2 u², and |il| <= 2.02 u ih.
@@ -134,4 +134,4 @@ template <int N, class T>
     return lanes{static_cast<double>(as_stored(x[N - 1])), static_cast<double>(as_stored(y[N - 1]))};
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

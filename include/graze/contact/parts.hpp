@@ -3,7 +3,7 @@
 
 #include <graze/linear/vec.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A set of components: bit 0 is the time, then come the vectors of a contact in their order, three bits each.
 using parts = unsigned;
@@ -25,4 +25,4 @@ constexpr void fill(vec<N, T>& x, parts wanted, Part first, F f) {
     }
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -6,7 +6,7 @@
 #include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // 1 and 2 in the kind of integers that I is.
 template <template <int> class Integer, int Bits>
@@ -101,4 +101,4 @@ constexpr void round_corner(wall_contact<N, T>& c, parts wanted, encounter what,
     }
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // significand · 2^exponent, within 4u of an integer, relatively, in any rounding mode; 0 is exact. The significand is
 // below 2^65 in magnitude, so that it and its square can neither over- nor underflow.
@@ -52,4 +52,4 @@ template <int Bits>
     return {high + static_cast<double>(x.digit(last - 1)) * 0x1p-64, 64 * position};
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // The types of whose values the predicates take decisions: float, double, and signed integers of 32 and of 64 bits
 // under whichever name.
@@ -18,9 +18,9 @@ template <class T>
 inline constexpr bool is_binary_input = std::same_as<T, float> || std::same_as<T, double> ||
                                         (std::signed_integral<T> && (sizeof(T) == 4 || sizeof(T) == 8));
 
-} // namespace graze
+} // namespace graze::inline v0_1
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // significand · 2^exponent. The significand is odd or 0 (then the exponent means nothing).
 struct binary {
@@ -185,4 +185,4 @@ constexpr void align(lifted<K>& x, lifted<L>& y) noexcept {
     x.width = y.width = x.width > y.width ? x.width : y.width;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

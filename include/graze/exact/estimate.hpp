@@ -4,7 +4,7 @@
 
 #include <graze/exact/approximate.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // |exact - value · 2^exponent| <= error · 2^exponent, in any rounding mode; |value| <= 2 and error <= 2^101, and
 // neither becomes an infinity. A number type with the sums and products that the formulas need.
@@ -74,9 +74,9 @@ template <class I>
 // Whether the sign of the estimate is that of the exact value.
 [[nodiscard]] constexpr bool is_certain(const estimate& x) noexcept { return magnitude(x.value) > x.error; }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 template <>
 struct number_traits<detail::estimate> {
@@ -85,4 +85,4 @@ struct number_traits<detail::estimate> {
     static constexpr int digits = 49;
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

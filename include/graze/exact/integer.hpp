@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -207,4 +207,4 @@ struct number_traits<integer<Bits>> {
     static constexpr int sign(const integer<Bits>& x) noexcept { return x.sign(); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

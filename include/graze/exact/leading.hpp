@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // |x - (±significand) 2^exponent| <= error 2^exponent. The significand is at least 2^63, or 0: then x is 0 if the error
 // is, and not known otherwise. Bounds below hold for errors up to 2^40, far above what callers accept.
@@ -154,4 +154,4 @@ template <int Bits>
     return {root, x.error + 1, (x.exponent - (odd ? 63 : 64)) / 2, false};
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

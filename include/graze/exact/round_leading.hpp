@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The error up to which an estimate serves T: with it, a quotient and 4 bits more, no two boundaries of T, which are
 // 2^(63 - digits) units apart, come into question.
@@ -66,4 +66,4 @@ round_leading(const leading& p, const leading& q, const leading& root, const lea
     return doubtful ? std::nullopt : std::optional<T>(nearest);
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // nearest: ties to even, and to an infinity from the middle between the largest number and the next power of two on.
 // downward, upward: the nearest number that is not above, not below; beyond the largest number that is it or an
@@ -73,4 +73,4 @@ template <class T>
 }
 
 } // namespace detail
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Σ digit_i 2^(64 position_i), positions ascending, held by somebody else.
 struct sparse_digits {
@@ -126,4 +126,4 @@ class digit_accumulator {
     std::int64_t* sum_;
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 template <int N, class T>
 struct vec;
@@ -136,4 +136,4 @@ struct number_traits<sparse_integer<Bits>> {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -10,7 +10,7 @@
 #include <graze/exact/round_leading.hpp>
 #include <graze/number/sqrt_extension.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -152,4 +152,4 @@ template <class T, class P, class Q, class Z, class R, class C>
     });
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

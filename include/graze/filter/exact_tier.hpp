@@ -4,7 +4,7 @@
 #include <graze/exact/binary.hpp>
 #include <graze/exact/sparse_integer.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The inputs of a pair, lifted to one scale each for lengths, velocities and normals: the formulas are homogeneous in
 // each.
@@ -40,4 +40,4 @@ template <class Pair, class Inputs, class F>
     return f(Pair::template motion<sparse_integer<full_width>>(in));
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

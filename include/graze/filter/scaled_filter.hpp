@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Upper bounds of the norms of a motion's lengths, velocities and normals; sums of magnitudes, so that no root is
 // taken.
@@ -50,4 +50,4 @@ template <class Bounds, class F, class M>
                         k * (power_of<d[0]>(s.length) * power_of<d[1]>(s.velocity) * power_of<d[2]>(s.normal)));
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

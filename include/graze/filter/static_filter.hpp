@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // K such that |computed - exact| <= K Π scale_k^degree_k, when F runs in doubles on inputs bounded as `bounds` (the
 // same inputs in error_bound) say. Holds in every rounding mode, contracted or not. The slack also covers the roundings
@@ -60,4 +60,4 @@ template <int Low, int High>
 }
 
 } // namespace detail
-} // namespace graze
+} // namespace graze::inline v0_1

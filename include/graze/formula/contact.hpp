@@ -3,7 +3,7 @@
 
 #include <graze/linear/vec.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // x + u t: (5), (13), (30).
 template <int N, class X, class U, class T>
@@ -17,4 +17,4 @@ template <int N, class X, class S>
     return dx_at_contact / R;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

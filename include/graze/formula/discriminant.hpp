@@ -4,7 +4,7 @@
 
 #include <graze/formula/quadratic.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Which form. textbook: b² - 4ac as in (11) and (12), which is 4D. halved: D = h² - ac. kahan: the same with its
 // rounding error fetched back by fused multiply-adds. lagrange: D = R²|Δu|² - |Δx × Δu|².
@@ -51,4 +51,4 @@ inline constexpr bool has_variant = number<T>;
 template <class T>
 inline constexpr bool has_variant<variant::kahan, T> = has_fma<T>;
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <graze/number/traits.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // recede: they come no closer (at rest, parting, sliding along). overlap: inside each other and getting deeper.
 // miss, graze, hit: apart, approaching, and the least distance is more than, exactly, or less than that of contact.
@@ -44,4 +44,4 @@ template <class H, class C, class D>
     return d < 0 ? encounter::miss : d == 0 ? encounter::graze : encounter::hit;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

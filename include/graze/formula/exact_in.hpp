@@ -5,7 +5,7 @@
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/plane_crossing.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A scene on a grid: every coordinate and radius is a whole number of grid steps below 2^length, every velocity's
 // component one of its own steps below 2^velocity. Steps are any power of two: 1/64 mm is as good as 1.
@@ -43,4 +43,4 @@ template <class T, int N, variant V = variant::lagrange>
     return bits_to_decide<N, V>(g) <= exact_bits<T>();
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

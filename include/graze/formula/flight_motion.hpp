@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // The relative motion m of two balls of which the one with velocity u was at its place earlier than the other, by
 // `lead` where it is ball a and by -lead where it is ball b: at the later instant dx is m.dx + u lead.
@@ -37,4 +37,4 @@ template <class A, class H, class C, class S>
     return quadratic{q.a, q.h - shift, q.c + (shift - graze::twice(q.h)) * start};
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

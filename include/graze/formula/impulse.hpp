@@ -4,7 +4,7 @@
 
 #include <graze/linear/vec.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // μ of (28).
 template <class W>
@@ -40,4 +40,4 @@ template <int N, class U, class X>
     return make_vec<N>([&](int i) { return u[i] - change * normal[i]; });
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

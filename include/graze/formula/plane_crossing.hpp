@@ -4,7 +4,7 @@
 #include <graze/formula/quadratic.hpp>
 #include <graze/shape/plane.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A ball seen from a plane: w = x - p₀ and u = the ball's velocity, n the plane's normal, r the ball's radius.
 template <int N, class X, class U, class E, class S>
@@ -71,4 +71,4 @@ struct plane_touch_time {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

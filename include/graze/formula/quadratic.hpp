@@ -3,7 +3,7 @@
 
 #include <graze/formula/relative_motion.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // a: velocity², h: length·velocity, c: length². A collision is the smaller root, when h < 0 and c >= 0.
 template <class A, class H, class C>
@@ -41,4 +41,4 @@ template <int N, class X, class U, class S>
     return quadratic{coefficient_a{}(m), coefficient_h{}(m), coefficient_c{}(m)};
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

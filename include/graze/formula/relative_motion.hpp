@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // dx = Δx points from b to a (errata: not from a to b), du = Δu, R the sum of the radii.
 template <int N, class X, class U, class S>
@@ -31,4 +31,4 @@ template <int N, class T>
     return relative_motion_between(a, b);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -4,7 +4,7 @@
 
 #include <graze/formula/quadratic.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // The sign of t₁ - t₂ for the smaller roots of a_i t² + 2 h_i t + c_i, a_i > 0, h_i < 0, both real; exact where T is.
 // The coefficients may be scaled by any positive factor a quadratic, in one unit of time for both.
@@ -67,4 +67,4 @@ struct slope_at {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

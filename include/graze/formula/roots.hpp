@@ -3,7 +3,7 @@
 
 #include <graze/number/traits.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Which form. printed: (-b - √(b² - 4ac))/(2a), cancels when the contact is near. stable: c/(-h + √D), does not for h <
 // 0.
@@ -33,4 +33,4 @@ struct root_of_graze {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

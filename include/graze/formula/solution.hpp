@@ -9,7 +9,7 @@
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/number/sqrt_extension.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A pair of balls solved in T. discriminant is D (for the textbook variant a quarter of what it computes). The rest is
 // set when is_collision(what). R is root_type<T>: T, or T's sqrt_extension where T has no square root. Velocities of a
@@ -79,4 +79,4 @@ template <root_form F, class T>
 }
 
 } // namespace detail
-} // namespace graze
+} // namespace graze::inline v0_1

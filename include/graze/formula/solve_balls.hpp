@@ -3,7 +3,7 @@
 
 #include <graze/formula/solution.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // With the masses given by their inverses; 0 is an infinite mass. At most one of them is 0.
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
@@ -54,4 +54,4 @@ requires field_number<T> && has_variant<V, T>
     return solve_with_inverse_masses<V, F, T, N>(a, b, one / a.mass, one / b.mass);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

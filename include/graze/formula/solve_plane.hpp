@@ -3,7 +3,7 @@
 
 #include <graze/formula/solution.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // The whole solution in T by Eq. (33) completed. The variant has no part in a plane's linear equation and is taken so
 // that all pairs are called alike. A plane gives neither miss nor graze. Does not check its input.
@@ -34,4 +34,4 @@ requires field_number<T>
     return s;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <graze/formula/solution.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -109,4 +109,4 @@ requires field_number<T> && has_variant<V, T>
     return s;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

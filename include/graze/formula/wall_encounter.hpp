@@ -10,7 +10,7 @@
 #include <graze/formula/encounter.hpp>
 #include <graze/formula/wall_features.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 enum class feature { face, edge, corner };
 
@@ -215,4 +215,4 @@ class wall_decision {
     Signs& signs_;
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

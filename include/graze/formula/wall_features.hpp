@@ -9,7 +9,7 @@
 #include <graze/number/sqrt_extension.hpp>
 #include <graze/shape/wall.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A ball seen from a wall. n is perpendicular to the wall: e₀ × e₁ in space, the edge turned by 90° in the plane.
 // side[i] is the direction in the wall along which only λ_i grows, scaled so that λ_i = w·side[i] / n·n.
@@ -245,4 +245,4 @@ struct value_at_root {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

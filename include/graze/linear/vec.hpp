@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // N components in Cartesian coordinates. An aggregate: vec<2, double>{1, 2}.
 template <int N, class T>
@@ -109,4 +109,4 @@ template <number T>
     return x * x;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // What is known when compiling: no -ffast-math or part of it that the compiler tells of, no x87 registers. Clang tells
 // nothing of -fassociative-math alone; the transforms are settled against it.
@@ -59,4 +59,4 @@ inline constexpr bool has_error_free_doubles = false;
 #endif
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -9,7 +9,7 @@
 
 #include <type_traits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A sum or product and what its rounding left out.
 template <class V>
@@ -162,4 +162,4 @@ two_square(const detail::factor<V, Fused>& a) noexcept {
     return {p, settled(x.low * x.low - cross)};
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // x; what consumes it is not merged with the expression that made it.
 [[nodiscard]] inline double fence(double x) noexcept {
@@ -70,4 +70,4 @@ template <class... B>
     return all != 0;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

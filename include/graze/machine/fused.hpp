@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__)
 // By value where registers hold it.
@@ -34,4 +34,4 @@ template <class F>
 #endif
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

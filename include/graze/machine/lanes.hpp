@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 #if defined(__GNUC__) && (defined(__SSE2__) || !defined(__i386__))
 // GNU's vector extension: operators go lane by lane, on targets without such registers as well.
@@ -54,4 +54,4 @@ struct lanes {
     return lanes{std::fabs(x[0]), std::fabs(x[1])};
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

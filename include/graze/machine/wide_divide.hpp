@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // floor((high 2^64 + low)/divisor) for high < divisor and divisor >= 2^63, in 32-bit digits (Knuth, The Art of Computer
 // Programming 2, 4.3.1, algorithm D). Used where there is no 128-bit type; tested everywhere.
@@ -79,4 +79,4 @@ namespace graze::detail {
     return (root << 32) + (q >> 32 == 0 ? q : 0xffffffffU);
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 struct two_limbs {
     std::uint64_t low, high;
@@ -81,4 +81,4 @@ struct signed_limbs {
 #endif
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

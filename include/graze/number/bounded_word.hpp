@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // |exact - value| <= error. The bounds of double_word's operations (3u² + 13u³ < 2^-103, 7u² < 2^-102, 15u² + 56u³ <
 // 2^-101, 25/8 u² < 2^-103) leave room for the roundings of the error itself, which are below 2^-50 of it. What
@@ -90,7 +90,7 @@ class bounded_word {
 
 [[nodiscard]] bounded_word sqrt(const bounded_word& x) noexcept;
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail
 
 template <>
 struct graze::number_traits<graze::detail::bounded_word> {

@@ -6,7 +6,7 @@
 
 #include <compare>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // high + low with high = RN(high + low). The bounds beside the operations are relative to the exact result, with u =
 // 2^-53, proved by Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of
@@ -113,4 +113,4 @@ struct number_traits<double_word> {
     static constexpr double_word twice(const double_word& x) noexcept { return x.doubled(); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

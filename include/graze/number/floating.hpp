@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -91,4 +91,4 @@ struct number_traits<long double> {
     static long double fma(long double x, long double y, long double z) noexcept { return std::fma(x, y, z); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // The sign of p + q√d for d >= 0, exact where the ring operations are: no root is taken. p, q and d may be of three
 // types.
@@ -132,4 +132,4 @@ template <number T>
     }
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -8,7 +8,7 @@
 #include <concepts>
 #include <type_traits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Specialise for a number type T:
 //   static constexpr const char* name;   how tables and messages call it
@@ -102,4 +102,4 @@ template <has_sqrt T>
     return number_traits<T>::sqrt(x);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

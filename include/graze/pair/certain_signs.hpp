@@ -9,7 +9,7 @@
 
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 struct identity_view {
     template <class M>
@@ -90,4 +90,4 @@ class certain_signs {
     lifted_inputs<P::lengths, P::velocities, P::normals> inputs_{};
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

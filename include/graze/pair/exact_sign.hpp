@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Whether a motion's numbers are so wide that a formula in estimates is cheap beside the formula itself.
 template <class M>
@@ -58,4 +58,4 @@ template <class M, class F>
     return exact_sign(m, f, f);
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A pair of kind P, lifted, with the `since` of each of its two things, which a plane and a wall have from the flight.
 template <class P>
@@ -121,4 +121,4 @@ template <int N, class F>
     return f(flights_in<wide_flights>(in));
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

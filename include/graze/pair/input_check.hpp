@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Never constexpr: in a constant expression a bad input does not compile, and the compiler shows this call's arguments.
 [[noreturn]] inline void reject(const char* argument, const char* what) {
@@ -100,4 +100,4 @@ constexpr void check(const wall<N, T>& w, const char* argument) {
     }
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Two numbers at a time, and not in a loop: a pair that is read as one soon after was better written as one.
 template <int N, class T>
@@ -145,4 +145,4 @@ template <class P, class Row>
     return r;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

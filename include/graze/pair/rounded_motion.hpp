@@ -10,7 +10,7 @@
 
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // x as a double, with a relative error of at most 2u for a 64-bit integer and its differences, exact for the other
 // inputs.
@@ -113,4 +113,4 @@ struct wall_bounds { // as any view sees it: w has up to N - 1 edges taken off
     }
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -1,7 +1,7 @@
 // Which stage of a decision gave its answer.
 #pragma once
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // filter: floating point with a proven bound. exact: integers.
 enum class stage { filter, exact };
@@ -12,4 +12,4 @@ struct ignore_stage {
     constexpr void operator()(stage) const noexcept {}
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

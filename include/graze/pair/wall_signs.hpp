@@ -5,7 +5,7 @@
 #include <graze/pair/input_check.hpp>
 #include <graze/pair/rounded_motion.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 template <int N, class X, class U, class E, class S>
 [[nodiscard]] constexpr magnitudes magnitudes_of(const plane_motion<N, X, U, E, S>& m) noexcept {
@@ -82,4 +82,4 @@ template <int N, class T, class Shape, class Observer, class F>
     return answer;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace graze::precision {
+namespace graze::inline v0_1::precision {
 
 // What the suite knows the exact value of. position: of the balls, or of a ball and of the point where it touches.
 // order: the sign of t1 - t2 of two pairs.
@@ -89,4 +89,4 @@ template <class X>
     return a;
 }
 
-} // namespace graze::precision
+} // namespace graze::inline v0_1::precision

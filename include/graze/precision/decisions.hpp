@@ -7,7 +7,7 @@
 #include <graze/predicate/classify_balls.hpp>
 #include <graze/predicate/classify_walls.hpp>
 
-namespace graze::precision {
+namespace graze::inline v0_1::precision {
 
 struct exact_decision_of_balls {
     static constexpr const char* name = "classify";
@@ -84,4 +84,4 @@ void add_decisions(subjects& list) {
     add<rounded_contact, T>(list);
 }
 
-} // namespace graze::precision
+} // namespace graze::inline v0_1::precision

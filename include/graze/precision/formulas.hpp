@@ -7,7 +7,7 @@
 #include <graze/formula/solve_wall.hpp>
 #include <graze/precision/subject.hpp>
 
-namespace graze::precision {
+namespace graze::inline v0_1::precision {
 
 // a, h and c of two balls.
 struct coefficients {
@@ -144,4 +144,4 @@ void add_formulas(subjects& list) {
     add<order_of_roots, T>(list);
 }
 
-} // namespace graze::precision
+} // namespace graze::inline v0_1::precision

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace graze::precision {
+namespace graze::inline v0_1::precision {
 
 // A number told in doubles: the sum of the parts, times 2^exponent 10^decimal_exponent, exactly. There is at least one
 // part; one that is not finite says that the number is none.
@@ -137,4 +137,4 @@ template <number T>
     return type;
 }
 
-} // namespace graze::precision
+} // namespace graze::inline v0_1::precision

@@ -10,7 +10,7 @@
 #include <memory>
 #include <variant>
 
-namespace graze::precision {
+namespace graze::inline v0_1::precision {
 
 // A ball and what it may meet.
 template <int N>
@@ -129,4 +129,4 @@ void add(subjects& list) {
     list.push_back(std::move(s));
 }
 
-} // namespace graze::precision
+} // namespace graze::inline v0_1::precision

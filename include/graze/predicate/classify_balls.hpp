@@ -14,7 +14,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -218,4 +218,4 @@ requires is_binary_input<T>
     return what;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -7,7 +7,7 @@
 
 #include <concepts>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -138,4 +138,4 @@ requires is_binary_input<T>
     return classify(f.state, w, observer);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -93,4 +93,4 @@ requires(!is_binary_input<T> && !exact_number<T>) constexpr encounter classify(c
     return encounter::recede;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -4,7 +4,7 @@
 #include <graze/formula/encounter.hpp>
 #include <graze/pair/wall_signs.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Laws 1 to 4 and 6 of classify_balls.hpp, and
 //   7. a plane is never missed and never grazed: what approaches it meets it.
@@ -43,4 +43,4 @@ requires is_binary_input<T>
     return detail::decide_wall(b, w, observer).what;
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -4,7 +4,7 @@
 #include <graze/predicate/classify_flights.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Whether |Δx|² < R² at the later one's `since`, exactly. Touching is not overlapping. Throws as classify does.
 template <int N, std::floating_point T, class Observer = ignore_stage>
@@ -35,4 +35,4 @@ requires is_binary_input<T>
     return overlaps(f.state, shape, observer);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

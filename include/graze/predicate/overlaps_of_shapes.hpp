@@ -4,7 +4,7 @@
 #include <graze/predicate/classify_balls.hpp>
 #include <graze/predicate/classify_walls.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Laws 1 to 4 of classify_balls.hpp, and
 //   10. classify says overlap of what overlaps and does not recede, and of nothing else.
@@ -46,4 +46,4 @@ requires is_binary_input<T>
     });
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The sign of the lexicographic order of two vectors.
 template <int N, class T>
@@ -64,4 +64,4 @@ template <class Part>
     return order;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

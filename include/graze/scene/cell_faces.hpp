@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The faces between cells along one axis, ascending: cell i lies between faces i - 1 and i, the first and the last one
 // reach to infinity, so that what flies off needs no further cells.
@@ -50,4 +50,4 @@ template <std::size_t N>
     return result;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A level of cells for balls of like radius. A ball owns its place on one level and is a guest on the coarser ones, so
 // that a pair is offered on the level of the larger ball. Decides only what is offered: whoever touches has been, and
@@ -127,4 +127,4 @@ class cell_grid {
     std::vector<body> everywhere_;
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

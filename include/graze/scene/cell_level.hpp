@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A face of a ball's cell that it reaches: when, and the axis and sense in which it then moves on.
 struct face_crossing {
@@ -209,4 +209,4 @@ class cell_level {
     std::vector<place> places_;
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

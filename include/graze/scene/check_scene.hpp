@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -93,4 +93,4 @@ void check(const scene<N, T>& s) {
     detail::check_parts(s.walls, "wall ");
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

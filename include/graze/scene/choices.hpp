@@ -3,7 +3,7 @@
 
 #include <graze/scene/earliest.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The balls, but for mirrors, of the events that are due at one time.
 class due_balls {
@@ -75,4 +75,4 @@ class due_balls {
     std::vector<entry> entries_; // sorted
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

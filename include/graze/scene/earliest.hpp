@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // An event that is next, with its exact time. chosen: it shares a ball with another event of exactly that time.
 template <class Time>
@@ -62,4 +62,4 @@ void select_earliest(const moving_scene<M>& scene, std::vector<due<typename M::t
     }
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

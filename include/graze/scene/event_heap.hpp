@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A ball, plane or wall of a run: the balls first, then the planes, then the walls.
 using body = std::uint32_t;
@@ -113,4 +113,4 @@ class event_heap {
     double horizon_ = std::numeric_limits<double>::lowest(); // what waits is after it
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Who meets whom, and in which order, is exact for the states as they are; a state after an event is the exact one,
 // rounded once. Between two events of a ball nothing is rounded. Throws std::overflow_error when a state would be
@@ -112,4 +112,4 @@ struct exact_mechanics {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Who meets at that time, in an order that depends on the scene's numbers alone, and of two balls the one first that
 // comes first by its numbers; empty, as the time is, if nothing ever meets.
@@ -84,4 +84,4 @@ requires is_binary_input<T>
     return earliest.take();
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Predictions of a moving scene, kept in a heap. A change of the scene is foreseen first, which may throw and then has
 // changed nothing here, and accepted afterwards, which does not.
@@ -219,4 +219,4 @@ class forecast {
     due_balls due_balls_;
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // The planes and walls that a point left and beyond which the rounding of its position may have carried it, each with
 // the sign of the side on which it belongs. A point touches few at once: of more than there is room for, the one that
@@ -50,4 +50,4 @@ class kept_sides {
     std::array<entry, 6> entries_{};
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

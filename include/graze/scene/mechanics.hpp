@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Doubles that enclose a time: it is not before lower and not after upper. Infinite where it is beyond a double.
 struct time_bounds {
@@ -100,4 +100,4 @@ concept mechanics = requires(const M& m, const ball<M::dimension, typename M::nu
 &&mechanics_of_standing<M, plane<M::dimension, typename M::number>>&&
     mechanics_of_standing<M, wall<M::dimension, typename M::number>>;
 
-} // namespace graze
+} // namespace graze::inline v0_1

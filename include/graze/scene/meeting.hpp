@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // What a ball meets.
 enum class partner : std::uint8_t { ball, plane, wall };
@@ -28,4 +28,4 @@ struct meeting {
     return "ball " + std::to_string(m.a) + " and " + to_string(m.with) + " " + std::to_string(m.b);
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

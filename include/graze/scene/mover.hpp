@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // last: whom it met last.
 template <class State>
@@ -37,4 +37,4 @@ template <int N>
     return true;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -9,7 +9,7 @@
 
 #include <utility>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Balls, planes and walls in their canonical order, by which everything here is numbered, so that nothing depends on
 // the order in which the scene lists them.
@@ -243,4 +243,4 @@ class moving_scene {
     std::vector<int> ball_names_, plane_names_, wall_names_;
 };
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // How far to go: up to and with events at a time, or a number of events, whichever is first; without either, until
 // nothing more happens. cascade: so many events in a row of which none is certainly later than the first end the run as
@@ -72,4 +72,4 @@ struct ignore_event {
     constexpr void operator()(const E&) const noexcept {}
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

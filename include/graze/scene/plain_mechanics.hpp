@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // Predictions and contacts in T by the formulas of `solve`, in variant V and root form F, each operation with T's own
 // error: nothing is promised of decisions, order or states. Of two balls of different times since, the earlier one is
@@ -168,4 +168,4 @@ struct plain_mechanics {
     }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

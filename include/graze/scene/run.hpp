@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A run of a scene by mechanics M, from t = 0 on. Balls fly freely between their own events: nothing of a ball is
 // computed, or rounded, but by an event in which it takes part.
@@ -224,4 +224,4 @@ class run {
     std::uint64_t still_ = 0; // events since time last went on for certain
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // What moves and what stands, all given at t = 0, in one unit of length and one of time. Owns nothing: the spans must
 // stay valid while the scene is used. Every part may be empty.
@@ -18,4 +18,4 @@ struct scene {
     std::span<const wall<N, T>> walls{};
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <graze/linear/vec.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // position, velocity: of the centre at t = 0, in any one unit of length and of length per time. radius >= 0 (0 is a
 // point). mass > 0 in any unit, or infinite for a ball whose velocity never changes.
@@ -15,4 +15,4 @@ struct ball {
     T mass = T(1);
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

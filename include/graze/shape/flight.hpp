@@ -3,7 +3,7 @@
 
 #include <graze/shape/ball.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // A ball that is at state.position at the time `since`, and at state.position + state.velocity (t - since) at a later
 // time t. since: finite, of any sign, in the unit of time that lengths and velocities give.
@@ -13,4 +13,4 @@ struct flight {
     T since = T(0);
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -3,7 +3,7 @@
 
 #include <graze/linear/vec.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // point: any point of the plane. normal: perpendicular to it, of any length but 0; its sense has no meaning.
 template <int N, class T = double>
@@ -12,4 +12,4 @@ struct plane {
     vec<N, T> normal;
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // The points corner + λ·edge, 0 <= λ_i <= 1. Edges are not zero and not parallel.
 template <int N, class T = double>
@@ -14,4 +14,4 @@ struct wall {
     std::array<vec<N, T>, N - 1> edge;
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

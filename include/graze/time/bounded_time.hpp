@@ -7,7 +7,7 @@
 #include <graze/time/event.hpp>
 #include <graze/time/rounding_test.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Numbers of a row as pair kinds take them.
 template <class T>
@@ -106,4 +106,4 @@ template <int N, class T>
     return {x.value().high(), x.value().low(), (1 + 0x1p-40) * x.error()};
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

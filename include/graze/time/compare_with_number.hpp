@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // What a time compares with: every value of it is a double or a 64-bit integer.
 template <class U>
@@ -49,4 +49,4 @@ template <class Event, class Bounds, std::floating_point U>
     return compare_with_number(event, bounds, time, !is_subnormal(time)); // which a mode may read as 0
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -13,7 +13,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // near - error <= τ <= near + error, as they are computed in any rounding mode, but for an error that is not known: it
 // is then the largest double, and τ may be beyond. No finite time in T is above that; an infinity would be no value at
@@ -103,4 +103,4 @@ template <class Q>
     return {scaled, scaled * 0x1p-44};
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 enum class event_kind : std::uint8_t { balls, plane, face, edge, corner };
 
@@ -122,4 +122,4 @@ template <int N, class T>
     });
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -14,7 +14,7 @@
 #include <graze/shape/ball.hpp>
 #include <graze/time/rounding_test.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Δx with R in a lane of its own; Δu. Each is value + error, exactly: |error| <= u |value|.
 struct lane_motion {
@@ -152,4 +152,4 @@ template <bool Fused>
     return approach_near<Fused>(m, time, squared_length(m));
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -5,7 +5,7 @@
 #include <graze/pair/wall_signs.hpp>
 #include <graze/time/enclosure.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Around τ = (|w·n| - r|n|)/|u·n| of a ball that certainly hits the plane at a later time. Unknown where the doubles
 // leave it open.
@@ -46,4 +46,4 @@ template <int N, class T>
     return lower > 0 ? enclosure{time, error} : enclosure{};
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -9,7 +9,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A positive number rounded to nearest, downward or upward; empty where its bounds leave a doubt, which for directed
 // modes they always do of floats.
@@ -79,4 +79,4 @@ template <class T, int N, class U>
     return std::nullopt;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

@@ -5,7 +5,7 @@
 #include <graze/time/event.hpp>
 #include <graze/time/rounded_time.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // Whether s < t, exactly, of any finite numbers, by their bits.
 template <class T>
@@ -168,4 +168,4 @@ template <class T, int N, class U>
     });
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

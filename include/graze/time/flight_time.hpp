@@ -4,7 +4,7 @@
 #include <graze/time/flight_event.hpp>
 #include <graze/time/impact_time.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -100,4 +100,4 @@ class flight_time {
     detail::timed_enclosure bounds_;
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -10,7 +10,7 @@
 #include <compare>
 #include <type_traits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -95,4 +95,4 @@ class impact_time {
     double near_;
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -6,7 +6,7 @@
 #include <graze/time/event.hpp>
 #include <graze/time/fast_time.hpp>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // What the surds of a motion in integers are made of.
 template <class M>
@@ -184,4 +184,4 @@ template <class T, int N, class U>
     return round_exactly<T>(e, mode);
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

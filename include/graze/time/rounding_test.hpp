@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-namespace graze::detail {
+namespace graze::inline v0_1::detail {
 
 // A number within `error` of high + low.
 template <class V>
@@ -57,4 +57,4 @@ template <class T>
            static_cast<unsigned>(agree<T>({x.lower[1], x.upper[1]})) << 1;
 }
 
-} // namespace graze::detail
+} // namespace graze::inline v0_1::detail

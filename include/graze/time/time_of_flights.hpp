@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -118,4 +118,4 @@ requires is_binary_input<T>
                                                                found.what == encounter::overlap, f.since, f.since));
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -127,4 +127,4 @@ requires is_binary_input<T>
                                                         found.what == encounter::overlap));
 }
 
-} // namespace graze
+} // namespace graze::inline v0_1

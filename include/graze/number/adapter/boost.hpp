@@ -14,7 +14,7 @@
 #include <source_location>
 #include <string_view>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 namespace detail {
 
@@ -124,4 +124,4 @@ template <detail::floating_backend Backend, boost::multiprecision::expression_te
 struct number_traits<boost::multiprecision::number<Backend, Templates>>
     : detail::boost_floating_traits<Backend, Templates> {};
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -12,7 +12,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Lazy_exact_nt.h>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 template <>
 struct number_traits<CGAL::Gmpq> {
@@ -55,4 +55,4 @@ struct number_traits<CORE::Expr> {
     static CORE::Expr sqrt(const CORE::Expr& x) { return CORE::sqrt(x); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

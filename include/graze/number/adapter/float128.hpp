@@ -8,7 +8,7 @@
 #define GRAZE_HAS_FLOAT128 1
 #include <quadmath.h>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 template <>
 struct number_traits<__float128> {
@@ -19,7 +19,7 @@ struct number_traits<__float128> {
     static __float128 fma(__float128 x, __float128 y, __float128 z) noexcept { return fmaq(x, y, z); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1
 #else
 #define GRAZE_HAS_FLOAT128 0
 #endif

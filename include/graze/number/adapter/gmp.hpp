@@ -8,7 +8,7 @@
 #include <gmpxx.h>
 #include <utility>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 // An exact rational whose operators return values. Dividing by zero is GMP's to punish: it raises SIGFPE.
 class gmp_rational {
@@ -67,4 +67,4 @@ struct number_traits<gmp_rational> {
     static int sign(const gmp_rational& x) { return sgn(x.value()); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1

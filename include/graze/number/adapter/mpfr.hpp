@@ -8,7 +8,7 @@
 
 #include <boost/multiprecision/mpfr.hpp>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 template <unsigned Digits10, boost::multiprecision::mpfr_allocation_type Allocation,
           boost::multiprecision::expression_template_option Templates>
@@ -28,4 +28,4 @@ template <boost::multiprecision::mpfr_allocation_type Allocation,
 struct number_traits<
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0, Allocation>, Templates>>;
 
-} // namespace graze
+} // namespace graze::inline v0_1

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace graze {
+namespace graze::inline v0_1 {
 
 template <>
 struct number_traits<dd_real> {
@@ -28,4 +28,4 @@ struct number_traits<qd_real> {
     static qd_real sqrt(const qd_real& x) { return ::sqrt(x); }
 };
 
-} // namespace graze
+} // namespace graze::inline v0_1
