@@ -3,11 +3,16 @@
 
 namespace graze::inline v0_1 {
 
-// filter: floating point with a proven bound. exact: integers.
-enum class stage { filter, exact };
+// The stages of an answer, each wider than the one before. filter: doubles with a bound that is the same for all
+// motions of one size. refined: doubles in the form that cancels least, with a bound from what is added up.
+// double_word: sums of two doubles that carry their error along. exact: integers.
+enum class stage { filter, refined, double_word, exact };
+
+// The wider of two.
+[[nodiscard]] constexpr stage wider(stage x, stage y) noexcept { return x < y ? y : x; }
 
 // The observer that is told nothing: calls with it cost nothing. Any callable that takes a stage can stand in its
-// place.
+// place; it is told once a call, the widest stage that any sign or component of the answer needed.
 struct ignore_stage {
     constexpr void operator()(stage) const noexcept {}
 };
