@@ -1,5 +1,5 @@
 // Error-free transforms and double words against GMP: exact, or within the published bounds.
-#include "adapter.hpp"
+#include "adapter/adapter.hpp"
 
 #include <graze/number/bounded_word.hpp>
 #include <graze/number/double_word.hpp>

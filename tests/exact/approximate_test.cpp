@@ -1,5 +1,5 @@
 // Wide integers as doubles: within 4u of the integer, in every rounding mode.
-#include "wide_values.hpp"
+#include "../machine/wide_values.hpp"
 
 #include <graze/exact/approximate.hpp>
 

@@ -1,5 +1,5 @@
 // integer<Bits> against GMP, at widths around the borders of limbs.
-#include "wide_values.hpp"
+#include "../machine/wide_values.hpp"
 
 #include <graze/exact/integer.hpp>
 

@@ -1,5 +1,5 @@
 // Estimates: the exact value is within the error that is said, through sums and products of any sizes.
-#include "wide_values.hpp"
+#include "../machine/wide_values.hpp"
 
 #include <graze/exact/estimate.hpp>
 

@@ -1,5 +1,5 @@
 // Numbers taken apart and lifted to one scale, without an error.
-#include "wide_values.hpp"
+#include "../machine/wide_values.hpp"
 
 #include <graze/exact/binary.hpp>
 #include <graze/exact/integer.hpp>

@@ -1,5 +1,5 @@
 // sparse_integer<Bits> against GMP: far digits, extreme digits, carries.
-#include "wide_values.hpp"
+#include "../machine/wide_values.hpp"
 
 #include <graze/exact/sparse_integer.hpp>
 #include <graze/linear/vec.hpp>

@@ -1,7 +1,7 @@
 // Times as values: their order, their ties, and what the standard library does with them.
+#include "../predicate/answers.hpp"
+#include "../predicate/transform.hpp"
 #include "../soak/more_families.hpp"
-#include "answers.hpp"
-#include "transform.hpp"
 
 #include <graze/time/time_of_shapes.hpp>
 
