@@ -8,3 +8,4 @@
 #include <graze/analysis/polynomial.hpp>
 #include <graze/analysis/range_bound.hpp>
 #include <graze/analysis/rational_function.hpp>
+#include <graze/analysis/rounding_count.hpp>

@@ -1,4 +1,5 @@
-// The answer and the stage that gave it: easy cases come from the filter, hard ones from integers.
+// The answer and the stage that gave it: easy cases come from the filter, hard ones from the next two stages, ties from
+// integers.
 #include "answers.hpp"
 
 #include <doctest/doctest.h>
@@ -48,28 +49,41 @@ TEST_CASE("Two balls") {
     expect(overlap, stage::filter, at(1, 0.5, 0, -1, 0, 0), rest);
 
     expect(graze::encounter::graze, stage::exact, at(5, 2, 0, -1, 0, 0), rest);
-    expect(hit, stage::exact, at(5, 2 * down, 0, -1, 0, 0), rest);
-    expect(miss, stage::exact, at(5, 2 * up, 0, -1, 0, 0), rest);
+    expect(hit, stage::double_word, at(5, 2 * down, 0, -1, 0, 0), rest);
+    expect(miss, stage::double_word, at(5, 2 * up, 0, -1, 0, 0), rest);
     expect(hit, stage::exact, at(2, 0, 0, -1, 0, 0), rest); // touching: c = 0
-    expect(hit, stage::exact, at(2 * up, 0, 0, -1, 0, 0), rest);
-    expect(overlap, stage::exact, at(2 * down, 0, 0, -1, 0, 0), rest);
+    expect(hit, stage::double_word, at(2 * up, 0, 0, -1, 0, 0), rest);
+    expect(overlap, stage::double_word, at(2 * down, 0, 0, -1, 0, 0), rest);
     expect(recede, stage::exact, at(5, 0, 0, 0, 1, 0), rest); // h = 0
     expect(recede, stage::exact, at(0, 0, 0, 1, 1, 1), rest);
     expect(recede, stage::exact, rest, rest);
-    expect(hit, stage::exact, at(5, 0, 0, -1, 0, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-80)); // D is 2^-160
+    expect(hit, stage::refined, at(5, 0, 0, -1, 0, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-80)); // D is 2^-160
     expect(graze::encounter::graze, stage::exact, at(5, 0, 0, -1, 0, 0, 0),
            at(0, 0, 0, 0, 0, 0, 0)); // points that meet
 
-    // Too large or too small for the filter, easy or not.
-    expect(hit, stage::exact, at(0x1p600, 0, 0, -1, 0, 0), rest);
-    expect(hit, stage::exact, at(5, 0.5, 0, -0x1p-300, 0, 0), rest);
-    expect(hit, stage::exact, at(0x1p-1070, 0, 0, -1, 0, 0, 0x1p-1074), at(0, 0, 0, 0, 0, 0, 0x1p-1074));
+    // Far away: the filter's bound is 2^-45 L²V² and more, Lagrange's form loses L/R.
+    expect(hit, stage::refined, at(0x1p30, 1, 0, -1, 0, 0), rest);
+    expect(miss, stage::refined, at(0x1p30, 3, 0, -1, 0, 0), rest);
+    expect(hit, stage::refined, at(0x1p38 / 3, 1, 0x1p38 / 3, -1, 0x1p-40, -1), rest);
+    // Δx × Δu is 7/4, and 2, of products of 2^50: doubles leave it open by 3.
+    expect(hit, stage::double_word, at(0x1p50, 0x1p50 + 1.75, 0, -1, -1, 0, 0.5), at(0, 0, 0, 0, 0, 0, 0.875));
+    expect(miss, stage::double_word, at(0x1p50, 0x1p50 + 2, 0, -1, -1, 0, 0.5), at(0, 0, 0, 0, 0, 0, 0.875));
+
+    // Too large or too small for the filter: scaled, and as easy as before.
+    expect(hit, stage::filter, at(5, 0.5, 0, -0x1p-300, 0, 0), rest);
+    expect(miss, stage::filter, at(5 * 0x1p600, 2.5 * 0x1p600, 0, -1, 0, 0, 0x1p600), at(0, 0, 0, 0, 0, 0, 0x1p600));
+    expect(hit, stage::filter, at(0x1p-1070, 0, 0, -1, 0, 0, 0x1p-1074), at(0, 0, 0, 0, 0, 0, 0x1p-1074));
     const double huge = std::numeric_limits<double>::max();
-    expect(hit, stage::exact, at(huge, 0, 0, -huge, 0, 0, huge), at(-huge, 0, 0, huge, 0, 0, 1));
+    expect(hit, stage::filter, at(huge, 0, 0, -huge, 0, 0, huge), at(-huge, 0, 0, huge, 0, 0, 1));
+    expect(hit, stage::double_word, at(5 * 0x1p-600, 2 * down * 0x1p-600, 0, -1, 0, 0, 0x1p-600),
+           at(0, 0, 0, 0, 0, 0, 0x1p-600));
+    expect(hit, stage::exact, at(0x1p600, 0, 0, -1, 0, 0), rest); // R² underflows beside L²
+    expect(graze::encounter::graze, stage::exact, at(5 * 0x1p-600, 2 * 0x1p-600, 0, -1, 0, 0, 0x1p-600),
+           at(0, 0, 0, 0, 0, 0, 0x1p-600));
 
     // r_a + r_b is no double: 1 + 2^-60.
-    expect(overlap, stage::exact, at(1, 0, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
-    expect(hit, stage::exact, at(5, 1, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
+    expect(overlap, stage::double_word, at(1, 0, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
+    expect(hit, stage::double_word, at(5, 1, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
 }
 
 TEST_CASE("Whether two balls overlap") {

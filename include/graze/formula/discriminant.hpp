@@ -37,11 +37,18 @@ struct discriminant_kahan {
     }
 };
 
-// Lagrange's identity; no length is subtracted from a length, so that distant and grazing balls lose far less.
+// Lagrange's identity; no length is subtracted from a length, so that distant and grazing balls lose far less. From R,
+// a = |Δu|² and Δx × Δu.
+struct discriminant_of_cross {
+    template <class S, class A, class X>
+    [[nodiscard]] constexpr auto operator()(const S& R, const A& a, const X& cross) const {
+        return R * R * a - graze::squared_norm(cross);
+    }
+};
 struct discriminant_lagrange {
     template <int N, class X, class U, class S>
     [[nodiscard]] constexpr auto operator()(const relative_motion<N, X, U, S>& m) const {
-        return m.R * m.R * graze::squared_norm(m.du) - graze::squared_norm(graze::cross(m.dx, m.du));
+        return discriminant_of_cross{}(m.R, graze::squared_norm(m.du), graze::cross(m.dx, m.du));
     }
 };
 

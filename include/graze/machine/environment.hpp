@@ -46,6 +46,20 @@ inline constexpr bool has_error_free_doubles = false;
     return one - 0x1p-55 >= one + 0x1p-55; // for less than ==
 }
 
+// Whether subnormals are read and written as they are.
+[[nodiscard, gnu::always_inline]] inline bool keeps_subnormals() noexcept {
+#if defined(__SSE2_MATH__)
+    return (__builtin_ia32_stmxcsr() & 0x8040U) == 0; // flush-to-zero, denormals-are-zero
+#elif defined(__aarch64__)
+    std::uint64_t control;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+    return (control & 0x1000001U) == 0; // FZ, FIZ
+#else
+    const double half_subnormal = unknown(0x1.8p-1022) - 0x1p-1022;
+    return half_subnormal + half_subnormal == 0x1p-1022;
+#endif
+}
+
 // What is state when running, at the cost of reading a control register where there is one.
 [[nodiscard, gnu::always_inline]] inline bool rounds_to_nearest() noexcept {
 #if defined(__SSE2_MATH__)

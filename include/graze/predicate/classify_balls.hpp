@@ -1,131 +1,18 @@
 // What becomes of two balls, exactly.
 #pragma once
 
-#include <graze/filter/static_filter.hpp>
-#include <graze/formula/discriminant.hpp>
-#include <graze/formula/encounter.hpp>
 #include <graze/pair/exact_sign.hpp>
 #include <graze/pair/input_check.hpp>
 #include <graze/pair/pair.hpp>
-#include <graze/pair/rounded_motion.hpp>
 #include <graze/pair/stage.hpp>
+#include <graze/predicate/filtered_balls.hpp>
+#include <graze/predicate/refined_balls.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 namespace graze::inline v0_1 {
 
 namespace detail {
-
-struct halved_of_motion {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return discriminant_halved{}(quadratic_of(m));
-    }
-};
-
-// The constant of D, and of the two signs that are compared with the same product of scales: h² > K S, S =
-// length²·velocity², is more than |h| > K_h length·velocity, and a|c| > K S is |c| > K length².
-template <int N, class T>
-struct ball_filter {
-    static constexpr double h = filter_constant(coefficient_h{}, ball_bounds<N, T>::value());
-    static constexpr double c = filter_constant(coefficient_c{}, ball_bounds<N, T>::value());
-    static constexpr double discriminant = filter_constant(halved_of_motion{}, ball_bounds<N, T>::value());
-
-    static_assert(has_degrees(coefficient_h{}, ball_bounds<N, T>::value(), 1, 1, 0));
-    static_assert(has_degrees(coefficient_c{}, ball_bounds<N, T>::value(), 2, 0, 0));
-    static_assert(has_degrees(halved_of_motion{}, ball_bounds<N, T>::value(), 2, 2, 0));
-    static_assert(discriminant > 2 * h * h && discriminant > 2 * c, "one constant must serve all three signs");
-};
-
-// What the filter knows of a pair: the encounter if it is certain, and the numbers on which that rests.
-struct filtered_balls {
-    bool certain = false;
-    double h = 0, c = 0, discriminant = 0;
-    double length2 = 0; // |Δx|² + R²
-    double scale = 0;   // |Δu|² length2
-
-    // Looked up by the three signs, none of which is of a zero: pairs come in no order that a branch could predict.
-    [[nodiscard, gnu::always_inline]] encounter what() const noexcept {
-        constexpr auto row = [](encounter negative_d, encounter positive_d) {
-            return static_cast<std::uint64_t>(positive_d) | static_cast<std::uint64_t>(negative_d) << 8;
-        };
-        constexpr std::uint64_t recede = row(encounter::recede, encounter::recede);
-        constexpr std::uint64_t apart = row(encounter::miss, encounter::hit);
-        constexpr std::uint64_t inside = row(encounter::overlap, encounter::overlap);
-        constexpr std::uint64_t answers = recede | recede << 16 | apart << 32 | inside << 48;
-        const std::uint64_t index = bits_of(h) >> 63 << 5 | bits_of(c) >> 63 << 4 | bits_of(discriminant) >> 63 << 3;
-        return static_cast<encounter>(answers >> index & 7);
-    }
-};
-
-// The range. |Δu|² and length2 above smallest_square keep what underflow loses, or a mode flushes to zero, below 2^-90
-// of any scale; for float that is also what is lost when a subnormal input becomes a double. Their product below 2^570
-// keeps each of them below 2^1020: then nothing has overflowed, neither to an infinity nor, where rounding is directed,
-// to the largest double. A NaN or an infinity makes a comparison false. Conditions are joined with & and not &&, and D
-// is computed even for balls that part: one branch that always goes the same way costs less than what it would save.
-template <class T>
-inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0x1p-450;
-
-// Constants: a ball_filter's, for the motion m and |length|² as it is computed.
-template <class T, class Constants>
-struct started_filter {
-    quadratic<double, double, double> q;
-    double length2;
-    double scale;
-    bool in_range;
-
-    template <class M>
-    [[gnu::always_inline]] constexpr started_filter(const M& m, double square) noexcept
-        : q(quadratic_of(m)), length2(square), scale(q.a * length2),
-          in_range((std::min(q.a, length2) > smallest_square<T>)&(scale < 0x1p570)) {}
-
-    // Whether h > 0 is certain. Where a branch on it is worth while, it saves what follows.
-    [[nodiscard, gnu::always_inline]] bool is_parting() const noexcept {
-        return all_hold(q.h * std::fabs(q.h) > Constants::discriminant * scale, in_range);
-    }
-    // Of balls that are not parting: D, and whether a hit is certain, D beyond `clear` times its bound, by fewer
-    // comparisons than finish() makes. h² = D + a c is then beyond it as well, but for roundings, and h negative: else
-    // they parted.
-    static constexpr double clear = 16;
-    struct clear_hit {
-        double discriminant;
-        bool certain;
-    };
-    [[nodiscard, gnu::always_inline]] clear_hit find_clear_hit() const noexcept {
-        const double d = discriminant_halved{}(q);
-        return {d, all_hold(std::min(1 / clear * d, q.a * q.c) > Constants::discriminant * scale, in_range)};
-    }
-    [[nodiscard, gnu::always_inline]] filtered_balls finish() const noexcept {
-        filtered_balls r;
-        r.h = q.h;
-        r.c = q.c;
-        r.length2 = length2;
-        r.scale = scale;
-        r.discriminant = discriminant_halved{}(q);
-        const double bound = Constants::discriminant * scale;
-        // h² is to be large enough, and |D| and a|c| unless h > 0, when h |h| stands in for them.
-        const double others = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c));
-        const bool certain = std::min(r.h * r.h, std::max(others, r.h * std::fabs(r.h))) > bound;
-        r.certain = certain & in_range;
-        return r;
-    }
-};
-
-template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline started_filter<T, ball_filter<N, T>>
-start_filter(const ball<N, T>& a, const ball<N, T>& b) noexcept {
-    const auto m = rounded_motion(a, b);
-    started_filter<T, ball_filter<N, T>> r(m, graze::squared_norm(m.dx) + m.R * m.R);
-    r.in_range = r.in_range & plain_radii(a.radius, b.radius);
-    return r;
-}
-template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a,
-                                                                     const ball<N, T>& b) noexcept {
-    return start_filter(a, b).finish();
-}
 
 // f(motion) with the exact relative motion of two balls whose values have been checked.
 template <int N, class T, class F>
@@ -172,6 +59,25 @@ template <int N, class T>
     return with_exact_balls(a, b, exact_encounter{});
 }
 
+// What becomes of two balls, and the stage that was needed.
+struct decided_balls {
+    encounter what;
+    stage decided_by;
+};
+
+// Where the filter is not certain, or not asked.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr decided_balls classify_further(const ball<N, T>& a, const ball<N, T>& b) {
+    if constexpr (std::is_floating_point_v<T>) {
+        if (!std::is_constant_evaluated() && plain_radii(a.radius, b.radius)) {
+            if (const auto r = refine(a, b); r.what != undecided) {
+                return {static_cast<encounter>(r.what), r.decided_by};
+            }
+        }
+    }
+    return {classify_exactly(a, b), stage::exact};
+}
+
 // 32-bit integers as numbers whose widths the type tracks.
 template <int N, class T>
 [[nodiscard]] constexpr ball<N, integer<32>> as_integers(const ball<N, T>& b) noexcept {
@@ -207,15 +113,15 @@ requires is_binary_input<T>
         observer(stage::exact);
         return detail::exact_encounter{}(relative_motion_of(detail::as_integers(a), detail::as_integers(b)));
     }
-    if (!std::is_constant_evaluated()) {
+    if (!std::is_constant_evaluated() && detail::has_usual_size(a, b)) [[likely]] {
         if (const auto filtered = detail::filter_balls(a, b); filtered.certain) [[likely]] {
             observer(stage::filter);
             return filtered.what();
         }
     }
-    const encounter what = detail::classify_exactly(a, b);
-    observer(stage::exact);
-    return what;
+    const auto further = detail::classify_further(a, b);
+    observer(further.decided_by);
+    return further.what;
 }
 
 } // namespace graze::inline v0_1
