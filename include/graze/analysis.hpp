@@ -1,4 +1,4 @@
-// Numbers that speak of a formula: its error, its width, its cost, its terms.
+// Number types in which a formula yields its error bound, its width, its cost or its terms instead of a value.
 #pragma once
 
 #include <graze/analysis/bit_width.hpp>

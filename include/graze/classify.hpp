@@ -1,4 +1,4 @@
-// What becomes of two balls, or of a ball and a plane or a wall: classify, exactly. Flights as well as balls.
+// classify: the exact encounter of two balls, or of a ball and a plane or a wall. Flights as well as balls.
 #pragma once
 
 #include <graze/predicate/classify_balls.hpp>

@@ -1,4 +1,4 @@
-// Where and how things meet and leave: collide, every number correctly rounded. Flights as well as balls.
+// collide: the contact of a pair, every number correctly rounded. Flights as well as balls.
 #pragma once
 
 #include <graze/contact/collide_balls.hpp>

@@ -1,4 +1,4 @@
-// Whether two things are inside each other: overlaps, exactly. Flights as well as balls.
+// overlaps: whether two things are inside each other, exactly. Flights as well as balls.
 #pragma once
 
 #include <graze/predicate/overlaps_of_flights.hpp>

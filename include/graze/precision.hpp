@@ -1,4 +1,4 @@
-// How a number type or a formula of one's own meets the precision regression.
+// What connects a user's number type or formula to the precision regression.
 #pragma once
 
 #include <graze/precision/decisions.hpp>

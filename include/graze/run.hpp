@@ -1,4 +1,4 @@
-// Event-driven runs of a scene: run, in graze's exact mechanics or in any number type.
+// run: the events of a scene, one after the other, in graze's exact mechanics or in any number type.
 #pragma once
 
 #include <graze/number/floating.hpp>

@@ -1,4 +1,4 @@
-// Many balls, planes and walls: scene, check, and first_events, which finds what happens first.
+// Many balls, planes and walls: scene, check, and first_events, which finds the earliest events.
 #pragma once
 
 #include <graze/scene/check_scene.hpp>

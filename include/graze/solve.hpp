@@ -1,4 +1,4 @@
-// The number-type-generic solver, for every pair: solve, in the built-in types and whatever has number_traits.
+// solve: every pair by the formulas as they are, in the built-in types and every other type that has number_traits.
 #pragma once
 
 #include <graze/formula/solve_balls.hpp>

@@ -1,4 +1,4 @@
-// When two things touch first: time_of_impact, an exact time. Flights as well as balls.
+// time_of_impact: the exact time at which two things touch first. Flights as well as balls.
 #pragma once
 
 #include <graze/time/time_of_flights.hpp>

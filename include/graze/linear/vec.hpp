@@ -95,7 +95,7 @@ template <class T, class U>
     }
 }
 
-// ⟨x,x⟩; of a number, its square, so that |x × y|² is squared_norm(cross(x, y)) in the plane and in space.
+// ⟨x,x⟩. For a number, its square, so that |x × y|² is squared_norm(cross(x, y)) in the plane and in space.
 template <int N, class T>
 [[nodiscard]] constexpr auto squared_norm(const vec<N, T>& x) {
     if constexpr (requires { number_traits<T>::squared_norm(x); }) {

@@ -5,8 +5,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// What is known when compiling: no -ffast-math or part of it that the compiler tells of, no x87 registers. Clang tells
-// nothing of -fassociative-math alone; the transforms are settled against it.
+// Whether this holds as far as compile time can tell: no -ffast-math nor any part of it that a macro shows, no x87
+// registers. Clang has no macro for -fassociative-math alone; the transforms are settled against it.
 #if defined(__GNUC__) && defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0 && !defined(__FAST_MATH__) &&        \
     !defined(__ASSOCIATIVE_MATH__) && !defined(__RECIPROCAL_MATH__) && !defined(__NO_SIGNED_ZEROS__) &&                \
     !(defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -26,8 +26,8 @@ inline constexpr bool has_error_free_doubles = false;
 #endif
 }
 
-// By calculating: 1 + 2^-55 = 1 - 2^-55 only to nearest; 2^-1023, the difference of two normal numbers, is kept, and
-// twice it is 2^-1022.
+// Whether the environment is right, by calculating: 1 + 2^-55 = 1 - 2^-55 only to nearest; and 2^-1023, the difference
+// of two normal numbers, is kept, so that twice it is 2^-1022.
 [[nodiscard]] inline bool calculates_to_nearest() noexcept {
     const double one = unknown(1);
     const double half_subnormal = unknown(0x1.8p-1022) - 0x1p-1022;

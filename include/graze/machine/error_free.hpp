@@ -1,17 +1,16 @@
 // Sums and products with their rounding errors: a + b = s + e and a b = p + e, exactly.
 //
-// They hold for doubles rounded to nearest once each, while nothing overflows; the product's also needs |a b| >=
-// 2^-969, or a zero, so that its error is a double. V is double, or a vector of doubles of the compiler's that is
-// worked on lane by lane. Every step is settled, so that neither -fassociative-math nor contraction touches it;
-// -ffast-math as a whole, x87 registers and another rounding mode are the caller's to exclude
-// (machine/environment.hpp).
+// These hold if doubles are rounded once each, to nearest, and nothing overflows. The product also needs |a b| >=
+// 2^-969, or a zero, so that its error is a double. V is double, or a compiler's vector of doubles, which is worked on
+// lane by lane. Every step is settled, so that neither -fassociative-math nor contraction changes it. The caller
+// excludes -ffast-math as a whole, x87 registers and other rounding modes (machine/environment.hpp).
 #pragma once
 
 #include <type_traits>
 
 namespace graze::inline v0_1 {
 
-// A sum or product and what its rounding left out.
+// A rounded sum or product and its rounding error.
 template <class V>
 struct exact_pair {
     V value;
@@ -26,7 +25,7 @@ inline constexpr bool has_fused_multiply_add = true;
 inline constexpr bool has_fused_multiply_add = false;
 #endif
 
-// x as it was rounded: no operation is fused with, reordered across or simplified through what it came from.
+// x, as a barrier: the compiler fuses, reorders or simplifies nothing across it.
 template <class V>
 [[nodiscard, gnu::always_inline]] constexpr inline V settled(V x) noexcept {
     if (std::is_constant_evaluated()) {
@@ -93,8 +92,8 @@ template <class V>
 
 namespace detail {
 
-// x as two parts of at most 26 bits each, high + low = x: Veltkamp's, with 2^27 + 1. Overflows (to a NaN in `low`) for
-// |x| >= 2^996.
+// Veltkamp's splitting, with 2^27 + 1: x as two parts of at most 26 bits each, high + low = x. Overflows (to a NaN in
+// `low`) for |x| >= 2^996.
 template <class V>
 struct halves {
     V high;
@@ -107,7 +106,7 @@ template <class V>
     return {high, settled(x - high)};
 }
 
-// A factor of several products, which are Fused or not: with its halves where they are not.
+// A factor of several products. Its halves are needed where the products are not Fused.
 template <class V, bool Fused = has_fused_multiply_add>
 struct factor {
     V value;
@@ -123,7 +122,7 @@ template <bool Fused = has_fused_multiply_add, class V>
 
 } // namespace detail
 
-// a b: by a fused multiply-add where the machine has it, by Dekker's product (1971, Theorem 5.13) where not.
+// a b: by a fused multiply-add if the machine has it, otherwise by Dekker's product (1971, Theorem 5.13).
 template <class V, bool Fused>
 [[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
 two_product(const detail::factor<V, Fused>& a, const detail::factor<V, Fused>& b) noexcept {

@@ -1,4 +1,4 @@
-// Values that the compiler may not simplify across, whatever it was allowed by -ffast-math or contraction.
+// Barriers: the compiler may not simplify across these values, whatever -ffast-math or contraction allows.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// x; what consumes it is not merged with the expression that made it.
+// x. The compiler does not merge the expression that uses it with the expression that made it.
 [[nodiscard]] inline double fence(double x) noexcept {
 #if defined(__clang__) && (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__))
     return __arithmetic_fence(x); // an error on clang's other targets, although __has_builtin knows it there
@@ -20,10 +20,10 @@ namespace graze::inline v0_1::detail {
 #endif
 }
 
-// x as memory holds it. A caller's `p + d` may still be an expression where a predicate is inlined: under -ffast-math,
-// contraction or x87 a filter would otherwise see another number than the exact tier, which reads the stored bits. g++
-// 12 even forgets a caller's conversion to float when it vectorises the conversion back (-O3), but for a register that
-// it has to fill.
+// x as memory would hold it. Where a predicate is inlined, a caller's argument `p + d` may still be an expression.
+// Under -ffast-math, contraction or x87 a filter would then see another number than the integers, which read the stored
+// bits. g++ 12 even drops a caller's conversion to float when it vectorises the conversion back (-O3), unless it has to
+// fill a register.
 template <class T>
 [[nodiscard]] constexpr T as_stored(T x) noexcept {
     if constexpr (std::is_floating_point_v<T>) {
@@ -47,7 +47,7 @@ template <class T>
     return x;
 }
 
-// The same integer, of which the compiler no longer knows where it comes from.
+// x, but the compiler no longer knows where it comes from.
 [[nodiscard]] constexpr std::uint64_t opaque(std::uint64_t x) noexcept {
     if (!std::is_constant_evaluated()) {
 #if defined(__GNUC__) && defined(__i386__)
@@ -59,8 +59,8 @@ template <class T>
     return x;
 }
 
-// Whether all hold, asked by one branch where compilers would make several: those that always go the same way cost
-// little by themselves, but what a predictor remembers of the others.
+// Whether all conditions hold, by one branch where compilers would make several. Branches that always go the same way
+// cost little by themselves, but they take room in the predictor from others.
 template <class... B>
 [[nodiscard, gnu::always_inline]] inline bool all_hold(B... conditions) noexcept {
     unsigned all = (static_cast<unsigned>(conditions) & ...);

@@ -1,4 +1,4 @@
-// Code with products of error-free transforms, for machines with a fused multiply-add and for those without.
+// Code with error-free products, compiled for machines with a fused multiply-add and for machines without one.
 #pragma once
 
 #include <graze/machine/error_free.hpp>
@@ -8,7 +8,7 @@
 namespace graze::inline v0_1::detail {
 
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__)
-// By value where registers hold it.
+// By value if it fits in registers.
 template <class F>
 using passed = std::conditional_t<sizeof(F) <= 16 && std::is_trivially_copyable_v<F>, F, const F&>;
 
@@ -22,9 +22,9 @@ template <class F>
 }
 #endif
 
-// f(fused), fused a std::bool_constant for as_factor. Where the compiler may not assume the instruction, which nearly
-// every x86-64 machine has, it is asked for when running. What f computes must not depend on the answer; f and what it
-// calls is to be inlined, so that it is compiled for the machine with the instruction.
+// f(fused), with fused a std::bool_constant for as_factor. Nearly every x86-64 machine has the instruction; where the
+// compiler may not assume it, the program checks for it when it runs. The result of f must not depend on the answer. f
+// and the functions that it calls must be inlined, so that they are compiled for a machine with the instruction.
 template <class F>
 [[nodiscard, gnu::always_inline]] inline auto with_best_products(const F& f) {
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__)

@@ -31,8 +31,8 @@ struct lanes {
 
 [[nodiscard, gnu::always_inline]] inline lanes both(double x) noexcept { return lanes{x, x}; }
 
-// x by itself: a compiler that sees its neighbour in memory would read both at once, and wait until both have been
-// written there, one by one.
+// x, read by itself. A compiler that sees its neighbour in memory would read both at once, and wait until both had been
+// written there one by one.
 [[nodiscard, gnu::always_inline]] inline double read_alone(double x) noexcept {
 #if defined(__GNUC__) && defined(__SSE2_MATH__)
     __asm__("" : "+x"(x));
@@ -40,7 +40,7 @@ struct lanes {
     return x;
 }
 
-// √x of an x that is not negative, without the question whether it is, which std::sqrt asks for errno's sake.
+// √x for x >= 0, without the check for x < 0 that std::sqrt makes to set errno.
 [[nodiscard, gnu::always_inline]] inline double plain_sqrt(double x) noexcept {
 #if defined(__GNUC__) && defined(__SSE2_MATH__)
     return __builtin_ia32_sqrtsd(lanes{x, 0})[0];

@@ -1,4 +1,4 @@
-// Quotients and square roots of 128-bit numbers, 64 bits of them: the counterpart of wide_multiply.
+// Quotients and square roots of 128-bit numbers, to 64 bits: the counterpart of wide_multiply.
 #pragma once
 
 #include <graze/machine/wide_multiply.hpp>
@@ -35,7 +35,7 @@ namespace graze::inline v0_1::detail {
     return q1 << 32 | q0;
 }
 
-// The same by the machine's own division where there is one.
+// The same, by the machine's own division if it has one.
 [[nodiscard]] constexpr std::uint64_t divide(std::uint64_t high, std::uint64_t low, std::uint64_t divisor) noexcept {
 #if defined(__SIZEOF_INT128__)
     return static_cast<std::uint64_t>((static_cast<uint128>(high) << 64 | low) / divisor);
@@ -44,7 +44,7 @@ namespace graze::inline v0_1::detail {
 #endif
 }
 
-// floor(√x): digit by digit, or at run time from a guess by the machine's root, put right whatever its rounding is.
+// floor(√x): digit by digit, or at run time from the machine's root, corrected whatever its rounding was.
 [[nodiscard]] constexpr std::uint64_t square_root(std::uint64_t x) noexcept {
     std::uint64_t root = 0;
     if (!std::is_constant_evaluated()) {

@@ -1,4 +1,4 @@
-// 64 × 64 → 128 bits and carries: the machine's own where there is a 128-bit type, the portable path where not.
+// 64 × 64 → 128 bits and carries: by a 128-bit type if there is one, otherwise by portable code.
 #pragma once
 
 #include <cstdint>

@@ -5,8 +5,8 @@
 
 namespace graze::inline v0_1 {
 
-// position, velocity: of the centre at t = 0, in any one unit of length and of length per time. radius >= 0 (0 is a
-// point). mass > 0 in any unit, or infinite for a ball whose velocity never changes.
+// position, velocity: those of the centre at t = 0, in any consistent units. radius >= 0; 0 is a point. mass > 0 in any
+// unit, or infinite for a ball whose velocity never changes.
 template <int N, class T = double>
 struct ball {
     vec<N, T> position;

@@ -5,7 +5,7 @@
 
 namespace graze::inline v0_1 {
 
-// point: any point of the plane. normal: perpendicular to it, of any length but 0; its sense has no meaning.
+// point: any point of the plane. normal: perpendicular to the plane, of any length but 0; either direction will do.
 template <int N, class T = double>
 struct plane {
     vec<N, T> point;

@@ -7,7 +7,7 @@
 
 namespace graze::inline v0_1 {
 
-// The points corner + λ·edge, 0 <= λ_i <= 1. Edges are not zero and not parallel.
+// The points corner + Σ λ_i edge_i with 0 <= λ_i <= 1. The edges are not zero and not parallel.
 template <int N, class T = double>
 struct wall {
     vec<N, T> corner;
