@@ -1,4 +1,4 @@
-// How many bits a formula needs: integer<Bits>'s rule as a number type, without the integers.
+// How many bits a formula needs: the rule of integer<Bits> as a number type, without the integers.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -7,9 +7,9 @@
 
 namespace graze::inline v0_1 {
 
-// Stands for every integer x with |x| < 2^bits. Sums and differences have one bit more than the wider operand, products
-// the bits of both: never fewer than their operands, so that a formula's width is also that of all numbers on the way
-// to it. The widths are those that integer<Bits> deduces.
+// Stands for every integer x with |x| < 2^bits. A sum or difference has one bit more than the wider operand, a product
+// the bits of both. No result is narrower than its operands, so a formula's width also holds all its intermediate
+// numbers. integer<Bits> deduces the same widths.
 struct bit_width {
     int bits = 0;
 
@@ -45,8 +45,8 @@ struct number_traits<bit_width> {
     static constexpr int sign(const bit_width& x) { return x.bits != 0 ? 1 : 0; }
 };
 
-// The bits up to which every integer is a value of T: 24 for float, 53 for double, 31 and 63 for 32 and 64-bit
-// integers, no limit for a T whose traits say that it is exact.
+// The number of bits up to which every integer is a value of T: 24 for float, 53 for double, 31 and 63 for 32-bit and
+// 64-bit integers, no limit for a T whose traits say that it is exact.
 template <class T>
 [[nodiscard]] consteval int exact_bits() {
     if constexpr (std::numeric_limits<T>::is_specialized && std::numeric_limits<T>::is_bounded) {
@@ -58,8 +58,8 @@ template <class T>
     }
 }
 
-// Whether f, run in T, rounds nothing on inputs that are integers of the widths given, or such integers times powers of
-// two of which no product leaves the range of T.
+// Whether f, run in T, rounds nothing if its inputs are integers of the given widths, or such integers times powers of
+// two none of whose products leaves the range of T.
 template <class T, class F, class Widths>
 [[nodiscard]] consteval bool exact_in(F f, const Widths& inputs) {
     return f(inputs).bits <= exact_bits<T>();

@@ -9,18 +9,18 @@
 
 namespace graze::inline v0_1 {
 
-// A number type that speaks of what is computed in floating point of Digits bits. Of a computed value ẑ that stands for
-// an exact one z:
+// A number type that describes values computed in floating point of Digits bits. For a computed value ẑ and the exact
+// value z that it stands for:
 //   |ẑ| <= magnitude · S   and   |ẑ - z| <= error · u · S,   with S = Π scale_k^degree_k
-// for any scales (a length, a speed, ...) that bound the inputs. The rounding model is |fl(z) - z| <= u |z|: with u =
-// 2^(1-Digits) it holds in every rounding mode; a fused multiply-add, a register of more precision or another
-// order of a sum leaves roundings out or keeps within the same count, so that the bounds hold with them too. Under- and
-// overflow are excluded by the caller.
+// for any scales (a length, a speed, ...) that bound the inputs. The rounding model is |fl(z) - z| <= u |z|. With u =
+// 2^(1-Digits) it holds in every rounding mode. A fused multiply-add, a register of more precision or another order of
+// a sum omits roundings or stays within the same count, so the bounds hold with them too. The caller excludes under-
+// and overflow.
 //
-// A vec<N, error_bound> is bounded as a whole: each component carries the bound of the Euclidean norm of the vector and
-// of its error vector. Inner products are then bounded by Cauchy and Schwarz, with no factor N.
+// A vec<N, error_bound> is bounded as a whole: each component carries the bounds on the Euclidean norms of the vector
+// and of its error vector. Inner products are then bounded by Cauchy and Schwarz, with no factor N.
 //
-// Adding values of different degrees throws, which in a constant expression does not compile.
+// Adding values of different degrees throws; in a constant expression it does not compile.
 template <int Digits>
 struct basic_error_bound {
     static constexpr std::size_t scales = 3; // length, velocity, normal
@@ -33,7 +33,8 @@ struct basic_error_bound {
     constexpr basic_error_bound() = default;
     constexpr basic_error_bound(double magnitude_, double error_, degrees degree_)
         : magnitude(magnitude_), error(error_), degree(degree_) {}
-    // A small constant; only 0 goes with every degree, and no formula here adds another.
+    // A small constant, of degree 0. Only 0 may be added to values of every degree; no formula here adds another
+    // constant.
     constexpr explicit basic_error_bound(int value) : magnitude(value < 0 ? -value : value) {}
 
     // u in any rounding mode.
@@ -49,7 +50,7 @@ struct basic_error_bound {
     [[nodiscard]] static constexpr basic_error_bound rounded_input(degrees d) { return {1, 1 / (1 - unit), d}; }
 };
 
-// Of doubles: what the filters rest on.
+// For doubles: the filters' bounds.
 using error_bound = basic_error_bound<53>;
 
 namespace detail {
@@ -65,7 +66,7 @@ template <int Digits = 53>
     return {magnitude + unit * rounding, propagated + rounding, degree};
 }
 
-// The error that a product takes over from its factors: x̂ŷ - xy with x = x̂ - δ, y = ŷ - ε.
+// The error that a product inherits from its factors: x̂ŷ - xy with x = x̂ - δ, y = ŷ - ε.
 template <int Digits>
 [[nodiscard]] constexpr double inherited(const basic_error_bound<Digits>& x, const basic_error_bound<Digits>& y) {
     return x.magnitude * y.error + y.magnitude * x.error + basic_error_bound<Digits>::unit * x.error * y.error;
@@ -119,7 +120,7 @@ struct number_traits<basic_error_bound<Digits>> {
     static constexpr int sign(const bound& x) { return x.magnitude != 0 ? 1 : 0; }
     static constexpr bound twice(const bound& x) { return {2 * x.magnitude, 2 * x.error, x.degree}; }
 
-    // A product and a sum of which only the result is rounded.
+    // A product and a sum, rounded once at the end.
     static constexpr bound fma(const bound& x, const bound& y, const bound& z) {
         const bound product{x.magnitude * y.magnitude, detail::inherited(x, y), detail::sum_of(x.degree, y.degree)};
         detail::check_degrees(product, z);
@@ -148,7 +149,7 @@ struct number_traits<basic_error_bound<Digits>> {
     }
 
   private:
-    // What is at most |x||y|, after `count` roundings of at most `spread` times that.
+    // A value of at most |x||y|, after `count` roundings of at most `spread` times that.
     template <int N>
     static constexpr bound product_of_norms(const vec<N, bound>& x, const vec<N, bound>& y, double spread, int count) {
         const double magnitude = x[0].magnitude * y[0].magnitude;
@@ -157,7 +158,7 @@ struct number_traits<basic_error_bound<Digits>> {
     }
 };
 
-// A vector whose norm and whose error's norm are bounded as b says.
+// A vector whose norm and whose error's norm have the bounds of b.
 template <int N, int Digits>
 [[nodiscard]] constexpr vec<N, basic_error_bound<Digits>> bounded_vector(const basic_error_bound<Digits>& b) {
     return make_vec<N>([&](int) { return b; });

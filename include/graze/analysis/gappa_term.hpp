@@ -1,4 +1,4 @@
-// A formula that runs in these terms writes the Gappa script of its own rounding error.
+// A number type in which a formula writes the Gappa script of its own rounding error.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -11,27 +11,27 @@ namespace graze::inline v0_1 {
 
 class gappa_term;
 
-// What a run wrote: every computed value t and the exact value m that it stands for, both as Gappa knows them. Each
-// rounding is a hypothesis, t -/ (x + y) in [-u,u], that is |t - (x + y)| <= u|x + y|. With u = 2^-52 it holds for
-// doubles in every rounding mode; a fused multiply-add leaves hypotheses true by leaving roundings out.
+// The script of a run: every computed value t and the exact value m that it stands for, both by their names in Gappa.
+// Each rounding is a hypothesis, t -/ (x + y) in [-u,u], that is |t - (x + y)| <= u|x + y|. With u = 2^-52 it holds for
+// doubles in every rounding mode. A fused multiply-add omits a rounding, so the hypotheses stay true.
 class gappa_script {
   public:
     // unit: u as Gappa reads it.
     explicit gappa_script(std::string unit = "1b-52") : unit_(std::move(unit)) {}
 
-    // An input: a value that is exact, or one that was rounded once. |value| <= 1.
+    // An input that is exact, or that was rounded once. |value| <= 1.
     [[nodiscard]] gappa_term exact_input(const std::string& name);
     [[nodiscard]] gappa_term rounded_input(const std::string& name);
-    // A value of which another proof says: it is `exact`, an expression, but for at most `error` units u, another one.
-    // Both may name inputs and each other: "exact_" + name is the value that `name` stands for.
+    // A value of which another proof says that it differs from `exact` by at most `error` units u. Both are expressions
+    // and may name inputs and each other: "exact_" + name is the exact value that `name` stands for.
     [[nodiscard]] gappa_term approximate_input(const std::string& name, const std::string& exact,
                                                const std::string& error);
 
     // A fact about computed or exact values that the formula's caller guarantees.
     void suppose(const std::string& fact) { hypotheses_ += (hypotheses_.empty() ? "   " : "/\\ ") + fact + "\n "; }
 
-    // The whole script, with a goal: "?" asks for the smallest bound of |t - m| that Gappa finds, "[0,K]" to prove K.
-    // pieces, where given, says how to divide the domain, as Gappa reads it: "x in (0.5,0.7), y in 4".
+    // The whole script, with a goal: "?" asks for the smallest bound on |t - m| that Gappa finds, "[0,K]" asks to prove
+    // K. pieces, if given, says how to divide the domain, in Gappa's syntax: "x in (0.5,0.7), y in 4".
     [[nodiscard]] std::string text(const gappa_term& result, const std::string& goal = "?",
                                    const std::string& pieces = "") const;
 
@@ -96,7 +96,7 @@ class gappa_term {
         return {script, "t" + number, known->second};
     }
 
-    // Tells Gappa to look at x through the exact value that it approximates: so it sees that x is not 0.
+    // Tells Gappa that x approximates its exact value. From that, Gappa sees that x is not 0.
     static void approximates(const gappa_term& x) {
         if (x.computed_ != x.exact_) {
             x.script_->hints_ += x.computed_ + " ~ " + x.exact_ + ";\n";
@@ -146,7 +146,7 @@ struct number_traits<gappa_term> {
     static constexpr const char* name = "gappa_term";
     static constexpr bool is_exact = false;
     static constexpr int digits = 0;
-    // Of case distinctions the one for positive numbers is written; a hypothesis should say so.
+    // In a case distinction, the case of positive numbers is written; a hypothesis should say so.
     static int sign(const gappa_term&) { return 1; }
     static gappa_term sqrt(const gappa_term& x) { return square_root_of(x); }
     static gappa_term fma(const gappa_term& x, const gappa_term& y, const gappa_term& z) { return fused(x, y, z); }

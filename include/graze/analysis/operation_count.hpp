@@ -16,8 +16,8 @@ struct operation_count {
     [[nodiscard]] friend constexpr bool operator==(const operation_count&, const operation_count&) = default;
 };
 
-// A number without a value whose operations are counted where `counter` points. Constants point nowhere and count with
-// what they meet.
+// A number without a value. Its operations are counted where `counter` points. Constants point nowhere; operations with
+// them count where the other operand points.
 class counted_number {
   public:
     constexpr explicit counted_number(operation_count* counter) : counter_(counter) {}
@@ -63,7 +63,7 @@ struct number_traits<counted_number> {
     static constexpr bool is_exact = false;
     static constexpr int digits = 0;
 
-    // Of case distinctions the one for positive numbers is counted.
+    // In a case distinction, the case of positive numbers is counted.
     static constexpr int sign(const counted_number& x) {
         (void)detail::counted(&operation_count::signs, x, x);
         return 1;

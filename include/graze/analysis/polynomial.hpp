@@ -1,4 +1,4 @@
-// Polynomials in several variables over the integers: a formula that runs in them becomes the equation itself.
+// Polynomials in several variables over the integers: a formula that runs in them yields the equation itself.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -12,10 +12,10 @@
 
 namespace graze::inline v0_1 {
 
-// A sum of up to Terms terms c·x₀^e₀·...·x₁₅^e₁₅ in canonical form: == is equality of polynomials. Exact: a coefficient
-// of more than 63 bits, an exponent above 15 or one term too many throws std::overflow_error, which in a constant
-// expression does not compile. No memory is allocated: g++ 12 destroys arrays of what owns memory twice in constant
-// expressions.
+// A sum of up to Terms terms c·x₀^e₀·...·x₁₅^e₁₅ in canonical form: == is equality of polynomials. It is exact. A
+// coefficient of more than 63 bits, an exponent above 15 or one term too many throws std::overflow_error; in a constant
+// expression it does not compile. No memory is allocated: in constant expressions, g++ 12 destroys arrays of elements
+// that own memory twice.
 template <int Terms = 256>
 class polynomial {
   public:
@@ -64,8 +64,8 @@ class polynomial {
         return x.size_ == 0 || y.size_ == 0 ? polynomial() : product_of(x, 0, x.size_, y);
     }
 
-    // The sign that it has wherever all variables are positive, if the signs of its coefficients tell; throws
-    // std::domain_error if not. So a formula with a case distinction runs in the case that its arguments stand for.
+    // The sign of its values where all variables are positive, if the signs of its coefficients determine it; otherwise
+    // std::domain_error is thrown. So a formula with a case distinction runs in the case that its arguments imply.
     [[nodiscard]] constexpr int sign() const {
         bool positive = false;
         bool negative = false;
@@ -78,7 +78,7 @@ class polynomial {
         return positive ? 1 : negative ? -1 : 0;
     }
 
-    // The same with x_index replaced: by a value everywhere, and by one in place of its square.
+    // The polynomial with x_index replaced: `with` replaces it everywhere, with_square replaces its square.
     [[nodiscard]] constexpr polynomial with(int index, const polynomial& value) const {
         return replaced(index, 1, value);
     }

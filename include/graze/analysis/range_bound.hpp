@@ -1,4 +1,4 @@
-// The rounding error of a formula with quotients and roots, where its inputs are in known ranges.
+// The rounding error of a formula with quotients and roots whose inputs are in known ranges.
 #pragma once
 
 #include <graze/number/floating.hpp>
@@ -7,11 +7,11 @@
 
 namespace graze::inline v0_1 {
 
-// Of a computed value ẑ that stands for an exact one z: low <= z <= high and |ẑ - z| <= error·u, u = 2^(1-Digits). Each
-// component of a vector has a range of its own (error_bound takes vectors as a whole). The rounding model is
-// error_bound's, |fl(z) - z| <= u|z| for sums, products, quotients, roots and fused multiply-adds: any rounding mode,
-// contracted or not, without under- and overflow. The bounds' own arithmetic is in doubles: allow for
-// error_bound_slack.
+// For a computed value ẑ and the exact value z that it stands for: low <= z <= high and |ẑ - z| <= error·u, with u =
+// 2^(1-Digits). Each component of a vector has a range of its own (error_bound bounds vectors as a whole). The rounding
+// model is that of error_bound, |fl(z) - z| <= u|z| for sums, products, quotients, roots and fused multiply-adds, in
+// any rounding mode, contracted or not, without under- and overflow. The bounds themselves are computed in doubles:
+// allow for error_bound_slack.
 template <int Digits = 53>
 struct range_bound {
     double low = 0;
@@ -34,13 +34,13 @@ struct range_bound {
     [[nodiscard]] static constexpr range_bound exact_input() { return {-1, 1, 0}; }
     [[nodiscard]] static constexpr range_bound rounded_input() { return {-1 - 2 * unit, 1 + 2 * unit, 1 + 2 * unit}; }
 
-    // The same value, of which the caller knows more than its formula says.
+    // The same value, in a range that the caller knows to be narrower.
     [[nodiscard]] constexpr range_bound within(double from, double to) const {
         return {from > low ? from : low, to < high ? to : high, error};
     }
 
     [[nodiscard]] constexpr double magnitude() const { return -low > high ? -low : high; }
-    // What an operation gives: the exact range, and what the operands' errors come to before it rounds.
+    // The result of an operation: [from, to] is its exact range, inherited its error before it rounds.
     [[nodiscard]] static constexpr range_bound rounded(double from, double to, double inherited) {
         const range_bound exact{from, to, inherited};
         return {from, to, inherited + exact.magnitude() + unit * inherited};
@@ -84,7 +84,7 @@ struct number_traits<range_bound<Digits>> {
     static constexpr int digits = Digits;
     using bound = range_bound<Digits>;
 
-    // The one of every computed value, which may lie beside the range by its error.
+    // The sign of every computed value, which may be outside the range by its error.
     static constexpr int sign(const bound& x) {
         const double beside = bound::unit * x.error;
         if (x.low - beside > 0) {

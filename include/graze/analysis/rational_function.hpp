@@ -1,4 +1,4 @@
-// Quotients of polynomials: what a formula with a division becomes.
+// Quotients of polynomials, for formulas with a division.
 #pragma once
 
 #include <graze/analysis/polynomial.hpp>

@@ -15,7 +15,7 @@ inline constexpr bool has_error_free_doubles = true;
 inline constexpr bool has_error_free_doubles = false;
 #endif
 
-// x, of which the compiler knows nothing.
+// x, but the compiler knows nothing of its value.
 [[nodiscard]] inline double unknown(double x) noexcept {
 #if defined(__GNUC__)
     __asm__ volatile("" : "+m"(x));
@@ -34,8 +34,8 @@ inline constexpr bool has_error_free_doubles = false;
     return (one + 0x1p-55 == one - 0x1p-55) & (half_subnormal + half_subnormal == 0x1p-1022);
 }
 
-// Of the rounding direction alone, by two sums in registers: a control register is not to be had before all sums that
-// may still set its flags. 1 + 2^-55 = 1 - 2^-55 only to nearest.
+// Whether sums are rounded to nearest, by two sums in registers: 1 + 2^-55 = 1 - 2^-55 only to nearest. Reading the
+// control register would wait for all sums that may still set its flags.
 [[nodiscard, gnu::always_inline]] inline bool adds_to_nearest() noexcept {
     double one = 1;
 #if defined(__SSE2_MATH__)
@@ -60,7 +60,7 @@ inline constexpr bool has_error_free_doubles = false;
 #endif
 }
 
-// What is state when running, at the cost of reading a control register where there is one.
+// Whether the environment is right when the program runs, by reading the control register if the machine has one.
 [[nodiscard, gnu::always_inline]] inline bool rounds_to_nearest() noexcept {
 #if defined(__SSE2_MATH__)
     return (__builtin_ia32_stmxcsr() & 0xe040U) == 0; // rounding direction, flush-to-zero, denormals-are-zero

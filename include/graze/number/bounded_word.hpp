@@ -1,4 +1,4 @@
-// A double word that knows how far it can be from the number it stands for: formulas run in it bound their own error.
+// A double word with a running error: formulas that run in it bound their own error.
 #pragma once
 
 #include <graze/number/double_word.hpp>
@@ -17,7 +17,7 @@ class bounded_word {
     constexpr bounded_word() = default;
     explicit(false) bounded_word(int x) noexcept : value_(x) {}
     explicit bounded_word(double x) noexcept : value_(x) {}
-    // Any number.
+    // A value with an unlimited error: it may stand for any number.
     [[nodiscard]] static bounded_word unknown() noexcept {
         return {double_word(1), std::numeric_limits<double>::infinity()};
     }
@@ -50,7 +50,7 @@ class bounded_word {
                                    slack * (x.size() * y.error_ + (y.size() + y.error_) * x.error_)};
         return {product.value_, product.error_ + (0x1p-102 * product.size() + 0x1p-1040)};
     }
-    // Unknown when y is not well apart from 0. |X/Y - x/y| <= (error of x + |x/y| error of y)/(|y| - error of y).
+    // Unknown if y is not well apart from 0. |X/Y - x/y| <= (error of x + |x/y| error of y)/(|y| - error of y).
     [[nodiscard]] friend bounded_word operator/(const bounded_word& x, const bounded_word& y) noexcept {
         if (!(y.has_certain_sign() && y.size() > 0x1p-400)) {
             return unknown();
@@ -65,7 +65,7 @@ class bounded_word {
         const double moved = slack * (x.error_ + quotient.size() * y.error_) / (y.size() - y.error_);
         return {quotient.value_, slack * moved + (0x1p-101 * quotient.size() + 0x1p-600)};
     }
-    // Unknown when x is not well above 0. |√X - √x| <= (error of x)/√x.
+    // Unknown if x is not well above 0. |√X - √x| <= (error of x)/√x.
     [[nodiscard]] friend bounded_word sqrt(const bounded_word& x) noexcept {
         if (!(x.value_.high() > 0x1p-400 && x.has_certain_sign())) {
             return unknown();

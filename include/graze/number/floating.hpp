@@ -12,8 +12,9 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// Correctly rounded square root of a double in a constant expression, where clang has no std::sqrt. Digit by digit:
-// 54 bits of the root and a remainder that is never a tie (a root of 53-bit numbers never falls between two of them).
+// The correctly rounded square root of a double in a constant expression, where clang has no std::sqrt. It computes 54
+// bits of the root, digit by digit, and a remainder. There are no ties: the root of a 53-bit number is never halfway
+// between two 53-bit numbers.
 [[nodiscard]] constexpr double constant_sqrt(double x) {
     if (!(x > 0.0) || x > std::numeric_limits<double>::max()) {
         return x < 0.0 ? std::numeric_limits<double>::quiet_NaN() : x;
@@ -63,7 +64,8 @@ struct number_traits<float> {
     static constexpr const char* name = "float";
     static constexpr bool is_exact = false;
     static constexpr int digits = std::numeric_limits<float>::digits;
-    // Innocuous double rounding: a root of float precision taken in double rounds as if once (53 >= 2*24 + 2).
+    // Innocuous double rounding: a float's root, taken in double and then rounded to float, is as if rounded once (53
+    // >= 2*24 + 2).
     static constexpr float sqrt(float x) noexcept {
         return std::is_constant_evaluated() ? static_cast<float>(detail::constant_sqrt(static_cast<double>(x)))
                                             : std::sqrt(x);

@@ -1,4 +1,4 @@
-// p + q√d over an exact number type: where τ, the contact positions and the velocities live when T has no square root.
+// p + q√d over an exact number type T: the type of τ, contact positions and velocities if T has no square root.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -9,8 +9,8 @@
 
 namespace graze::inline v0_1 {
 
-// The sign of p + q√d for d >= 0, exact where the ring operations are: no root is taken. p, q and d may be of three
-// types.
+// The sign of p + q√d for d >= 0, exact if the ring operations are: no root is taken. p, q and d may be of three
+// different types.
 template <number P, number Q, number D>
 [[nodiscard]] constexpr int sign_of_root_sum(const P& p, const Q& q, const D& d) {
     const int sign_p = graze::sign(p);
@@ -24,8 +24,8 @@ template <number P, number Q, number D>
     return sign_p * graze::sign(p * p - q * q * d); // opposite signs: the larger of p² and q²d decides
 }
 
-// p + q√d with d >= 0. Two of them combine when they have the same d or when one has q = 0; otherwise
-// std::domain_error is thrown. Sums, products and comparisons are exact; so are quotients where T divides exactly.
+// p + q√d with d >= 0. Two of them combine if they have the same d or if one has q = 0; otherwise std::domain_error is
+// thrown. Sums, products and comparisons are exact; so are quotients if T divides exactly.
 template <number T>
 class sqrt_extension {
     static_assert(number_traits<T>::is_exact, "sqrt_extension needs an exact number type");
@@ -118,7 +118,7 @@ struct root_of<T> {
 };
 } // namespace detail
 
-// What holds the square root of a T: T itself where it has one, its sqrt_extension otherwise.
+// The type of a T's square root: T if it has square roots, its sqrt_extension otherwise.
 template <number T>
 using root_type = typename detail::root_of<T>::type;
 

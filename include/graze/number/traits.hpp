@@ -1,8 +1,8 @@
 // What a number is.
 //
-// Every formula of graze is a template over its number type and says `auto` for what it computes, so a type may widen
-// (an integer<62> times an integer<62> is an integer<124>), but its sums and products must be values: an expression
-// template, whose operands may be gone before it is evaluated, is not a number.
+// Every formula of graze is a template over its number type and says `auto` for what it computes. So a type may widen
+// (an integer<62> times an integer<62> is an integer<124>), but its sums and products must be values. An expression
+// template is not a number: its operands may no longer exist when it is evaluated.
 #pragma once
 
 #include <concepts>
@@ -11,9 +11,9 @@
 namespace graze::inline v0_1 {
 
 // Specialise for a number type T:
-//   static constexpr const char* name;   how tables and messages call it
-//   static constexpr bool is_exact;      sums, products and negations (and quotients, where it has them) never round
-//   static constexpr int digits;         bits of the significand; 0 where is_exact or where there is no such number
+//   static constexpr const char* name;   its name in tables and messages
+//   static constexpr bool is_exact;      sums, products and negations (and quotients, if it has them) never round
+//   static constexpr int digits;         bits of the significand; 0 if is_exact or if there is no such number
 // and, where it applies:
 //   static constexpr bool is_integer;    true for a type whose operator/ truncates: it is no field_number
 //   static T sqrt(const T&);             the type has a square root of its own
@@ -74,8 +74,8 @@ concept has_fma = number<T> && requires(const T& x) {
     { number_traits<T>::fma(x, x, x) } -> number_value;
 };
 
-// The sign of x: -1, 0 or +1. Exact in every type whose comparison with zero is. A type may bring its own in its
-// traits.
+// The sign of x: -1, 0 or +1. Exact in every type whose comparison with zero is exact. A type's traits may define their
+// own.
 template <number T>
 [[nodiscard]] constexpr int sign(const T& x) {
     if constexpr (requires { number_traits<T>::sign(x); }) {
@@ -86,7 +86,7 @@ template <number T>
     }
 }
 
-// 2x. Exact in every binary type; a type for which it costs less than a sum may bring its own in its traits.
+// 2x. Exact in every binary type. A type for which it costs less than a sum may define its own in its traits.
 template <number T>
 [[nodiscard]] constexpr auto twice(const T& x) {
     if constexpr (requires { number_traits<T>::twice(x); }) {

@@ -80,8 +80,8 @@ template <class Backend>
 concept ring_backend =
     integer_backend<Backend> || backend_of_kind<Backend, boost::multiprecision::number_kind_rational>;
 
-// Bits of the significand. For d decimal digits floor(1 + (d - 1) log2(10)): as fine as a binary type of so many bits
-// everywhere, and in places finer.
+// Bits of the significand. For d decimal digits, floor(1 + (d - 1) log2(10)): the type is everywhere at least as fine
+// as a binary type of that many bits.
 template <class Limits>
 consteval int significand_bits() {
     return Limits::radix == 10 ? static_cast<int>(1 + static_cast<long long>(Limits::digits10 - 1) * 33219 / 10000)
@@ -90,11 +90,12 @@ consteval int significand_bits() {
 
 } // namespace detail
 
-// How tables call a backend; specialise to call it otherwise. "cpp_bin_float_50", "cpp_rational", "mpfr_float_50".
+// A backend's name in tables: "cpp_bin_float_50", "cpp_rational", "mpfr_float_50". Specialise it to choose another
+// name.
 template <class Backend, int Digits10>
 inline constexpr const char* boost_name = detail::backend_name_storage<Backend, Digits10>.data();
 
-// Integers and rationals: exact, unless of a fixed width that wraps silently (a checked one throws instead).
+// Integers and rationals: exact, except those of a fixed width that wrap silently (checked ones throw instead).
 template <detail::ring_backend Backend, boost::multiprecision::expression_template_option Templates>
 struct number_traits<boost::multiprecision::number<Backend, Templates>> {
     using limits = std::numeric_limits<boost::multiprecision::number<Backend, boost::multiprecision::et_off>>;

@@ -1,8 +1,8 @@
 // Number types of CGAL: Gmpq, Lazy_exact_nt, Interval_nt and CORE::Expr (link gmp and mpfr; compile with
 // -frounding-math, as CGAL does).
 //
-// CGAL::Exact_rational is an alias, in CGAL 5.5 with GMP of Boost's mpq_rational with expression templates on, which
-// is no graze::number; use its et_off form with number/boost.hpp. Inside a Lazy_exact_nt it serves as it is.
+// CGAL::Exact_rational is an alias. In CGAL 5.5 with GMP it is Boost's mpq_rational with expression templates on, which
+// is no graze::number: use its et_off form with number/adapter/boost.hpp. Inside a Lazy_exact_nt it works as it is.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -22,8 +22,8 @@ struct number_traits<CGAL::Gmpq> {
     static int sign(const CGAL::Gmpq& x) { return static_cast<int>(x.sign()); }
 };
 
-// An interval first, the exact type when that leaves a comparison open. A value holds the expression that made it, so
-// that memory grows with the length of a computation, and reading it may change it: no value is for two threads.
+// An interval first; the exact type if the interval leaves a comparison open. A value keeps the expression that made
+// it, so memory grows with the length of a computation. Reading a value may change it: two threads must not share one.
 template <class Exact>
 struct number_traits<CGAL::Lazy_exact_nt<Exact>> {
     static constexpr const char* name = "CGAL::Lazy_exact_nt";
@@ -32,9 +32,9 @@ struct number_traits<CGAL::Lazy_exact_nt<Exact>> {
     static int sign(const CGAL::Lazy_exact_nt<Exact>& x) { return static_cast<int>(CGAL::sign(x)); }
 };
 
-// Two doubles between which the value lies. sign throws CGAL::Uncertain_conversion_exception when both signs, or one
-// and zero, are possible; so does a comparison when its result is used. Interval_nt<false> needs the rounding mode set
-// upwards around its use (CGAL::Protect_FPU_rounding).
+// Two doubles that enclose the value. sign throws CGAL::Uncertain_conversion_exception if both signs, or one sign and
+// zero, are possible; so does a comparison when its result is used. Interval_nt<false> needs upward rounding while it
+// is used (CGAL::Protect_FPU_rounding).
 template <bool Protected>
 struct number_traits<CGAL::Interval_nt<Protected>> {
     static constexpr const char* name = Protected ? "CGAL::Interval_nt" : "CGAL::Interval_nt<false>";
@@ -44,8 +44,8 @@ struct number_traits<CGAL::Interval_nt<Protected>> {
     static CGAL::Interval_nt<Protected> sqrt(const CGAL::Interval_nt<Protected>& x) { return CGAL::sqrt(x); }
 };
 
-// Exact with square roots: the sign is found by as many digits as a separation bound asks for. Like Lazy_exact_nt it
-// holds its expression and is not for two threads.
+// Exact, with square roots: a sign is computed to as many digits as a separation bound requires. Like a Lazy_exact_nt,
+// a value keeps its expression, and two threads must not share one.
 template <>
 struct number_traits<CORE::Expr> {
     static constexpr const char* name = "CORE::Expr";

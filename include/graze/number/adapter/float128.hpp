@@ -1,5 +1,5 @@
-// The 113-bit __float128 of g++ with libquadmath (link quadmath). Where the compiler has no quadmath.h, as clang has
-// not, this header declares nothing and GRAZE_HAS_FLOAT128 is 0.
+// The 113-bit __float128 of g++ with libquadmath (link quadmath). If the compiler has no quadmath.h, as clang, this
+// header declares nothing and GRAZE_HAS_FLOAT128 is 0.
 #pragma once
 
 #include <graze/number/traits.hpp>

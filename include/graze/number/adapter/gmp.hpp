@@ -1,5 +1,6 @@
-// GMP's mpq_class as a number (link gmp). mpq_class itself is none: its sums are expressions that refer to their
-// operands and dangle in an `auto`. (Boost's mpq_rational, another wrapper of the same mpq_t, needs number/boost.hpp.)
+// GMP's mpq_class as a number (link gmp). mpq_class itself is not a number: its sums are expressions that refer to
+// their operands and dangle in an `auto`. (For Boost's mpq_rational, another wrapper of mpq_t, use
+// number/adapter/boost.hpp.)
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -10,7 +11,7 @@
 
 namespace graze::inline v0_1 {
 
-// An exact rational whose operators return values. Dividing by zero is GMP's to punish: it raises SIGFPE.
+// An exact rational whose operators return values. GMP raises SIGFPE on a division by zero.
 class gmp_rational {
   public:
     gmp_rational() = default;

@@ -1,7 +1,7 @@
 // MPFR numbers of a fixed precision, through Boost.Multiprecision:
 // boost::multiprecision::number<mpfr_float_backend<Digits10>, et_off>, correctly rounded in every operation, with a
-// fused multiply-add. Numbers of run-time precision (Digits10 = 0) are left out: the precision of a sum would depend on
-// a global setting.
+// fused multiply-add. Numbers of run-time precision (Digits10 = 0) are not supported: the precision of a sum would
+// depend on a global setting.
 #pragma once
 
 #include <graze/number/adapter/boost.hpp>

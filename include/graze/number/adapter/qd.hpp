@@ -1,6 +1,6 @@
-// The double-double and quad-double numbers of the QD library (link qd). They rest on error-free sums of doubles, so
-// they need IEEE doubles that are rounded once: no -ffast-math, and on x87 (-mfpmath=387) its fpu_fix_start() around
-// their use. Sums and products are not correctly rounded, and the exponent range is that of double.
+// The double-double and quad-double numbers of the QD library (link qd). They use error-free sums of doubles, so they
+// need IEEE doubles that are rounded once: no -ffast-math, and on x87 (-mfpmath=387) QD's fpu_fix_start() around their
+// use. Sums and products are not correctly rounded. The exponent range is that of double.
 #pragma once
 
 #include <graze/number/traits.hpp>
