@@ -1,17 +1,17 @@
-// Roundings counted, and terms sized: together the bound of a formula's rounding error from the very numbers that it
-// adds up.
+// The number of a formula's roundings and the size of its terms: together they bound its rounding error from the very
+// numbers that it adds up.
 #pragma once
 
 #include <graze/number/traits.hpp>
 
 namespace graze::inline v0_1 {
 
-// How many roundings any term of a formula of sums and products can take, in whichever order it is summed. With S the
-// formula in term_size, and every rounding within u of its result,
+// How many roundings a term of a formula of sums and products takes at most, in any order of summation. With S the
+// value of the formula in term_size, and every rounding within u of its result,
 //   |computed - exact| <= ((1 + u)^k - 1) S <= k u/(1 - k u) S,   k = total()
-// (Higham, Accuracy and Stability of Numerical Algorithms, 2nd edition, Lemma 3.1): a term is a product of inputs with
-// at most one factor 1 + δ or 1/(1 + δ) a product and a sum that it goes through. Fused multiply-adds and registers of
-// more precision leave roundings out. Under- and overflow are the caller's to exclude.
+// (Higham, Accuracy and Stability of Numerical Algorithms, 2nd edition, Lemma 3.1): a computed term is a product of
+// inputs, with at most one factor 1 + δ or 1/(1 + δ) for each product and each sum on its way. Fused multiply-adds and
+// registers of more precision omit roundings. The caller excludes under- and overflow.
 struct rounding_count {
     int products = 0; // on the longest way
     int sums = 0;     // in all
@@ -24,7 +24,7 @@ struct rounding_count {
     [[nodiscard]] static constexpr rounding_count rounded_input() { return {0, 1}; }
 
     [[nodiscard]] constexpr int total() const { return products + sums; }
-    // k u/(1 - k u), with room for the roundings of this and of S.
+    // k u/(1 - k u), with room for its own roundings and those of S.
     [[nodiscard]] constexpr double bound(double u) const {
         const double k = total();
         return (1 + 0x1p-40) * k * u / (1 - k * u);

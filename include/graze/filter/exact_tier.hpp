@@ -1,4 +1,4 @@
-// Any formula in integers wide enough for the inputs at hand.
+// The exact stage of any formula: integers wide enough for the inputs.
 #pragma once
 
 #include <graze/exact/binary.hpp>
@@ -20,14 +20,14 @@ struct lifted_inputs {
     }
 };
 
-// Widths of the lifted inputs: one limb (a sum of three squares of differences then still has two), two limbs, and all
-// that doubles can span: from 2^-1074 to 2^1024.
+// Widths of the lifted inputs: one limb (then a sum of three squares of differences has two limbs), two limbs, and
+// everything that doubles can span, from 2^-1074 to 2^1024.
 inline constexpr int one_limb_width = 61;
 inline constexpr int two_limb_width = 125;
 inline constexpr int full_width = 2098;
 
-// f(motion) with Pair's motion in the narrowest of three integer types that holds the inputs. f is called once and
-// returns the same type for each. The widest is no matter for constant expressions: compilers limit their steps.
+// f(motion), with Pair's motion in the narrowest of three integer types that holds the inputs. f is called once and
+// must return the same type for each. In a constant expression the widest may exceed a compiler's limit of steps.
 template <class Pair, class Inputs, class F>
 [[nodiscard]] constexpr auto with_exact_motion(const Inputs& in, F f) {
     const int width = in.width();

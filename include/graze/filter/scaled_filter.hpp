@@ -8,8 +8,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Upper bounds of the norms of a motion's lengths, velocities and normals; sums of magnitudes, so that no root is
-// taken.
+// Upper bounds on the norms of a motion's lengths, velocities and normals. They are sums of magnitudes, so that no root
+// is taken.
 struct magnitudes {
     double length = 0;
     double velocity = 0;
@@ -26,11 +26,11 @@ template <int N>
     return sum;
 }
 
-// In these ranges no formula of degree up to 12 in lengths, 4 in velocities and 6 in normals over- or underflows:
-// products of scales stay within 2^±800, and what is flushed to zero (below 2^-1022 a time) is less than 2^-150 of
-// them, which the slack of the constants (2^-92 of them) covers. A float input that is subnormal may be flushed when it
-// becomes a double, so that scales of floats start higher. A NaN or an infinity among the inputs is out of range as
-// well.
+// Whether the magnitudes are in the filter's range. In that range no formula of degree up to 12 in lengths, 4 in
+// velocities and 6 in normals over- or underflows. Products of scales stay within 2^±800. What is flushed to zero, each
+// time below 2^-1022, is less than 2^-150 of them, and the slack of the constants (2^-92 of them) covers it. A
+// subnormal float may be flushed when it is converted to double, so the range of floats starts higher. A NaN or an
+// infinity among the inputs is out of range too.
 template <class T>
 [[nodiscard]] constexpr bool usable(const magnitudes& s) noexcept {
     constexpr int low = std::is_same_v<T, float> ? -30 : -50;
@@ -39,7 +39,7 @@ template <class T>
            static_cast<unsigned>(within_powers<low, 50>(s.normal));
 }
 
-// The sign of F on a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.
+// The sign of F for a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.
 template <class Bounds, class F, class M>
 [[nodiscard]] constexpr int filtered_sign(F f, const M& motion, const magnitudes& s) noexcept {
     constexpr double k = filter_constant(F{}, Bounds::value());

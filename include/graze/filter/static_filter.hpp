@@ -1,4 +1,4 @@
-// From a formula to the constant of its filter, and from a computed value to a sign that is certain.
+// From a formula to the constant of its filter, and from a computed value to a certain sign.
 #pragma once
 
 #include <graze/analysis/error_bound.hpp>
@@ -8,9 +8,9 @@
 
 namespace graze::inline v0_1 {
 
-// K such that |computed - exact| <= K Π scale_k^degree_k, when F runs in doubles on inputs bounded as `bounds` (the
-// same inputs in error_bound) say. Holds in every rounding mode, contracted or not. The slack also covers the roundings
-// of the scales (fewer than 2^10) and of their products, provided that each scale is computed as a sum of non-negative
+// K such that |computed - exact| <= K Π scale_k^degree_k if F runs in doubles on inputs that `bounds`, the same inputs
+// in error_bound, describes. It holds in every rounding mode, contracted or not. The slack also covers the roundings of
+// the scales (fewer than 2^10) and of their products, provided that each scale is computed as a sum of non-negative
 // terms.
 template <class F, class B>
 [[nodiscard]] consteval double filter_constant(F f, const B& bounds) {
@@ -21,7 +21,7 @@ template <class F, class B>
 [[nodiscard]] consteval error_bound::degrees filter_degrees(F f, const B& bounds) {
     return f(bounds).degree;
 }
-// Whether those are a, b and c. (The == of two arrays is not constant in the debug mode of libstdc++ 12.)
+// Whether these degrees are a, b and c. (The == of two arrays is not constant in the debug mode of libstdc++ 12.)
 template <class F, class B>
 [[nodiscard]] consteval bool has_degrees(F f, const B& bounds, int a, int b, int c) {
     const error_bound::degrees d = f(bounds).degree;
@@ -30,14 +30,14 @@ template <class F, class B>
 
 namespace detail {
 
-// What a filter says of a value: its sign where that is certain, and `open` where it is not. NaN is open.
+// A filter's answer for a value: its sign if that is certain, otherwise `open`. A NaN is open.
 inline constexpr int open = 2;
 
 [[nodiscard]] constexpr int certain_sign(double value, double bound) noexcept {
     return value > bound ? 1 : value < -bound ? -1 : open;
 }
 
-// scale^power, power >= 0, known when compiled.
+// scale^Power, Power >= 0.
 template <int Power>
 [[nodiscard]] constexpr double power_of(double scale) noexcept {
     if constexpr (Power == 0) {
@@ -50,8 +50,8 @@ template <int Power>
     }
 }
 
-// Whether x is a positive number in [2^Low, 2^High), by its bits: one comparison, true of no zero, negative number or
-// NaN, in any floating-point environment.
+// Whether x is a positive number in [2^Low, 2^High), by one comparison of its bits. False for zeros, negative numbers
+// and NaNs, in any floating-point environment.
 template <int Low, int High>
 [[nodiscard]] constexpr bool within_powers(double x) noexcept {
     constexpr std::uint64_t low = static_cast<std::uint64_t>(1023 + Low) << 52;

@@ -1,4 +1,4 @@
-// Where things are when they meet: Eqs. (5), (13), (19) and (20).
+// Positions and normal at the contact: Eqs. (5), (13), (19) and (20).
 #pragma once
 
 #include <graze/linear/vec.hpp>
@@ -11,7 +11,7 @@ template <int N, class X, class U, class T>
     return make_vec<N>([&](int i) { return x[i] + u[i] * t; });
 }
 
-// X̂ of (20) at contact, where the distance is R (errata: at contact only): dx + du·τ over R.
+// X̂ of (20): Δx + Δu τ over R. Only at contact is R the distance (errata).
 template <int N, class X, class S>
 [[nodiscard]] constexpr auto contact_normal(const vec<N, X>& dx_at_contact, const S& R) {
     return dx_at_contact / R;

@@ -1,4 +1,4 @@
-// The discriminant of Eq. (12), with the parentheses that the source forgets, in four forms that are equal in exact
+// The discriminant of Eq. (12), with the parentheses that the source omits, in four forms. They are equal in exact
 // arithmetic and lose different things in any other.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1 {
 
-// Which form. textbook: b² - 4ac as in (11) and (12), which is 4D. halved: D = h² - ac. kahan: the same with its
-// rounding error fetched back by fused multiply-adds. lagrange: D = R²|Δu|² - |Δx × Δu|².
+// The forms. textbook: b² - 4ac as in (11) and (12), which is 4D. halved: D = h² - ac. kahan: the same, with its
+// rounding error recovered by fused multiply-adds. lagrange: D = R²|Δu|² - |Δx × Δu|².
 enum class variant { textbook, halved, kahan, lagrange };
 
 struct discriminant_textbook { // 4D
@@ -25,8 +25,8 @@ struct discriminant_halved {
     }
 };
 
-// h² - ac to 1.5 units in the last place of the a, h and c given (Jeannerod, Louvet, Muller 2013), which are themselves
-// rounded: it repairs the last subtraction, not them.
+// h² - ac to 1.5 units in the last place, for the given a, h and c (Jeannerod, Louvet, Muller 2013). It corrects the
+// last subtraction, not the errors that a, h and c already have.
 struct discriminant_kahan {
     template <has_fma T>
     [[nodiscard]] constexpr T operator()(const quadratic<T, T, T>& q) const {
@@ -37,8 +37,8 @@ struct discriminant_kahan {
     }
 };
 
-// Lagrange's identity; no length is subtracted from a length, so that distant and grazing balls lose far less. From R,
-// a = |Δu|² and Δx × Δu.
+// By Lagrange's identity, from R, a = |Δu|² and Δx × Δu. No length is subtracted from a length, so distant and grazing
+// balls lose far less.
 struct discriminant_of_cross {
     template <class S, class A, class X>
     [[nodiscard]] constexpr auto operator()(const S& R, const A& a, const X& cross) const {

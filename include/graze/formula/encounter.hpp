@@ -1,12 +1,13 @@
-// What becomes of two things that move: the five answers, and the rule by which three signs give them.
+// What two moving things do: the five encounters, and the rule that derives them from three signs.
 #pragma once
 
 #include <graze/number/traits.hpp>
 
 namespace graze::inline v0_1 {
 
-// recede: they come no closer (at rest, parting, sliding along). overlap: inside each other and getting deeper.
-// miss, graze, hit: apart, approaching, and the least distance is more than, exactly, or less than that of contact.
+// recede: they come no closer (at relative rest, parting, sliding along). overlap: inside each other and getting
+// deeper. miss, graze, hit: apart and approaching, with a least distance that is more than, equal to, or less than that
+// of contact.
 enum class encounter { overlap, recede, miss, graze, hit };
 
 [[nodiscard]] constexpr const char* to_string(encounter e) noexcept {

@@ -1,4 +1,4 @@
-// Which number type does my scene need? The compiler answers.
+// Which number type a scene needs, at compile time.
 #pragma once
 
 #include <graze/analysis/bit_width.hpp>
@@ -7,8 +7,8 @@
 
 namespace graze::inline v0_1 {
 
-// A scene on a grid: every coordinate and radius is a whole number of grid steps below 2^length, every velocity's
-// component one of its own steps below 2^velocity. Steps are any power of two: 1/64 mm is as good as 1.
+// A scene on a grid: every coordinate and radius is a whole number of steps below 2^length, every component of a
+// velocity a whole number of other steps below 2^velocity. Both steps may be any power of two: 1/64 mm is as good as 1.
 struct grid {
     int length;
     int velocity;
@@ -24,7 +24,7 @@ template <int N>
 
 } // namespace detail
 
-// The bits of the widest number in the decision of two balls on the grid: h, c and D in variant V.
+// The number of bits of the widest number in a decision about two balls on the grid: of h, c and D in variant V.
 template <int N, variant V = variant::lagrange>
 [[nodiscard]] consteval int bits_to_decide(grid g) {
     const auto m = relative_motion_of(detail::ball_on<N>(g), detail::ball_on<N>(g));
@@ -36,8 +36,7 @@ template <int N, variant V = variant::lagrange>
     return d.bits > coefficients ? d.bits : coefficients;
 }
 
-// Whether solve<V> in T takes every decision of two balls on the grid exactly: then nothing that it is made of rounds,
-// and a filter has nothing to add.
+// Whether solve<V> in T makes every decision about two balls on the grid exactly, because no step of it rounds.
 template <class T, int N, variant V = variant::lagrange>
 [[nodiscard]] consteval bool exact_in(grid g) {
     return bits_to_decide<N, V>(g) <= exact_bits<T>();

@@ -47,7 +47,7 @@ struct plane_clearance {
     }
 };
 
-// The crossing as a quadratic: the linear equation of the touching time squared, so that its smaller root is that time.
+// A quadratic whose smaller root is the time of touch: the linear equation of that time, squared.
 template <int N, class X, class U, class E, class S>
 [[nodiscard]] constexpr auto quadratic_of(const plane_motion<N, X, U, E, S>& m) {
     const auto height = plane_height{}(m);
@@ -55,7 +55,7 @@ template <int N, class X, class U, class E, class S>
     return quadratic{speed * speed, height * speed, plane_clearance{}(m)};
 }
 
-// (33) as printed: when the ball's centre reaches the plane.
+// (33) as printed: the time at which the ball's centre reaches the plane.
 struct centre_crossing_time {
     template <class K, class V>
     [[nodiscard]] constexpr auto operator()(const K& height, const V& speed) const {
@@ -63,7 +63,8 @@ struct centre_crossing_time {
     }
 };
 
-// (33) completed: when the ball touches it, ((p₀ - x)·n ± r|n|)/(u·n), the sign that of (x - p₀)·n. reach = r|n|.
+// (33) completed: the time at which the ball touches the plane, ((p₀ - x)·n ± r|n|)/(u·n), with the sign of (x - p₀)·n.
+// reach = r|n|.
 struct plane_touch_time {
     template <class K, class V, class S>
     [[nodiscard]] constexpr auto operator()(const K& height, const V& speed, const S& reach) const {

@@ -7,7 +7,7 @@
 
 namespace graze::inline v0_1 {
 
-// dx = Δx points from b to a (errata: not from a to b), du = Δu, R the sum of the radii.
+// dx = Δx points from b to a (errata: not from a to b), du = Δu, R is the sum of the radii.
 template <int N, class X, class U, class S>
 struct relative_motion {
     vec<N, X> dx;
@@ -17,8 +17,8 @@ struct relative_motion {
 template <int N, class X, class U, class S>
 relative_motion(vec<N, X>, vec<N, U>, S) -> relative_motion<N, X, U, S>;
 
-// Of anything that has a position, a velocity and a radius, which may be numbers of different types.
-// Inlined where it stands: in a long file a compiler may else write two balls to memory and call it.
+// B is any type with a position, a velocity and a radius, whose numbers may be of different types. Always inlined: in a
+// long file a compiler may otherwise write two balls to memory and call it.
 template <class B>
 [[nodiscard, gnu::always_inline]] constexpr inline auto relative_motion_between(const B& a, const B& b) {
     auto dx = a.position - b.position; // (2)

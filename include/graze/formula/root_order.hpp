@@ -6,15 +6,15 @@
 
 namespace graze::inline v0_1 {
 
-// The sign of t₁ - t₂ for the smaller roots of a_i t² + 2 h_i t + c_i, a_i > 0, h_i < 0, both real; exact where T is.
-// The coefficients may be scaled by any positive factor a quadratic, in one unit of time for both.
+// The sign of t₁ - t₂ for the smaller roots of a_i t² + 2 h_i t + c_i with a_i > 0, h_i < 0 and real roots; exact in an
+// exact type. Each quadratic may be multiplied by a positive factor of its own; both need the same unit of time.
 //
-// With J = a₁h₂ - a₂h₁, G = a₁c₂ - a₂c₁ and K = h₁c₂ - h₂c₁ the resultant of the two is proportional to Res = G² - 4JK.
-// J = 0: the parabolas, scaled to one leading coefficient, have a common axis and the lower one has the earlier root.
-// Res < 0: the roots interlace and the order is that of the axes, -h₁/a₁ against -h₂/a₂, whose sign is that of J.
-// Otherwise, taking J < 0 (the first axis is the earlier one), A = a₁G - 2 J h₁, which is a₁² times the second
-// quadratic less a₁ a₂ times the first, both taken where the first has its axis, tells whether the first one's smaller
-// root comes first (A > 0) or lies beyond the second's (A < 0).
+// With J = a₁h₂ - a₂h₁, G = a₁c₂ - a₂c₁ and K = h₁c₂ - h₂c₁, the resultant of the two is proportional to Res = G² -
+// 4JK. If J = 0, the parabolas, scaled to one leading coefficient, have a common axis, and the lower one has the
+// earlier root. If Res < 0, the roots interlace. The order is then that of the axes, -h₁/a₁ against -h₂/a₂, whose sign
+// is that of J. Otherwise exchange the two if necessary, so that J < 0: the first axis is the earlier one. Let A = a₁G
+// - 2 J h₁. It is a₁² times the second quadratic less a₁ a₂ times the first, both at the first one's axis. If A > 0,
+// the first one's smaller root comes first; if A < 0, it lies beyond the second's.
 struct root_order {
     template <class A, class H, class C, class B, class I, class E>
     [[nodiscard]] constexpr int operator()(const quadratic<A, H, C>& x, const quadratic<B, I, E>& y) const {
@@ -32,7 +32,7 @@ struct root_order {
                 return sign_j;
             }
         }
-        // Taken with the pair in the order in which J < 0: exchanged, J and G change sign.
+        // A, for the pair in the order in which J < 0: exchanging the two changes the signs of J and G.
         const int side =
             sign_j < 0 ? graze::sign(x.a * G - graze::twice(J * x.h)) : -graze::sign(y.a * G - graze::twice(J * y.h));
         if (side > 0) {
@@ -50,7 +50,8 @@ struct root_order {
     return sign_of_value > 0 && sign_of_slope < 0 ? 1 : sign_of_value == 0 && sign_of_slope <= 0 ? 0 : -1;
 }
 
-// a m² + 2 h m + c and a m + h at m = numerator/denominator, denominator > 0, times denominator² and denominator.
+// The quadratic and half its slope, a m² + 2 h m + c and a m + h, at m = numerator/denominator with denominator > 0;
+// multiplied by denominator² and by denominator.
 struct value_at {
     template <class A, class H, class C, class M, class D>
     [[nodiscard]] constexpr auto operator()(const quadratic<A, H, C>& q, const M& numerator,

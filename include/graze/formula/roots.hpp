@@ -5,8 +5,8 @@
 
 namespace graze::inline v0_1 {
 
-// Which form. printed: (-b - √(b² - 4ac))/(2a), cancels when the contact is near. stable: c/(-h + √D), does not for h <
-// 0.
+// The forms. printed: (-b - √(b² - 4ac))/(2a), which cancels near contact. stable: c/(-h + √D), which does not cancel
+// for h < 0.
 enum class root_form { printed, stable };
 
 // (11)'s root as printed; b = 2h, root = √(b² - 4ac).

@@ -1,4 +1,4 @@
-// What the number-type-generic solver returns, and the steps that all pairs share.
+// The results of graze::solve, and the steps that all kinds of pair share.
 #pragma once
 
 #include <graze/formula/contact.hpp>
@@ -11,9 +11,10 @@
 
 namespace graze::inline v0_1 {
 
-// A pair of balls solved in T. discriminant is D (for the textbook variant a quarter of what it computes). The rest is
-// set when is_collision(what). R is root_type<T>: T, or T's sqrt_extension where T has no square root. Velocities of a
-// graze are those before it. Errors: whatever T and the variant lose; none when T is exact.
+// The solution of two balls in T. discriminant is D (for the textbook variant, a quarter of what it computes). time,
+// positions, normal and velocities are set only if is_collision(what). They are of root_type<T>: T, or T's
+// sqrt_extension if T has no square root. A graze does not change the velocities. The errors are those of T and of the
+// variant; none if T is exact.
 template <int N, number T>
 struct ball_solution {
     using real = root_type<T>;
@@ -25,7 +26,7 @@ struct ball_solution {
     vec<N, real> velocity_a{}, velocity_b{};
 };
 
-// The same for a ball and a plane or a wall. point is where the wall is touched; the normal points from it to the ball.
+// The same for a ball and a plane or a wall. point is where the ball touches; the normal points from there to the ball.
 template <int N, number T>
 struct wall_solution {
     using real = root_type<T>;

@@ -1,11 +1,11 @@
-// graze::solve for two balls: everything of the pair in T, by the formulas as they are.
+// graze::solve for two balls: the whole solution in T, by the formulas as they are.
 #pragma once
 
 #include <graze/formula/solution.hpp>
 
 namespace graze::inline v0_1 {
 
-// With the masses given by their inverses; 0 is an infinite mass. At most one of them is 0.
+// The same as solve, with the inverses of the masses given. 0 is an infinite mass; at most one of them may be 0.
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
 requires field_number<T> && has_variant<V, T>
 [[nodiscard]] constexpr ball_solution<N, T> solve_with_inverse_masses(const ball<N, T>& a, const ball<N, T>& b,
@@ -45,8 +45,8 @@ requires field_number<T> && has_variant<V, T>
     return s;
 }
 
-// The whole solution of two balls. In an inexact T nothing is promised but the formulas: use classify, time_of_impact
-// and collide for answers. Does not check its input.
+// The whole solution of two balls. In an inexact T it promises no more than the formulas: for exact decisions and
+// rounded results use classify, time_of_impact and collide. Does not check its input.
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
 requires field_number<T> && has_variant<V, T>
 [[nodiscard]] constexpr ball_solution<N, T> solve(const ball<N, T>& a, const ball<N, T>& b) {

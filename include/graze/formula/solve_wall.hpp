@@ -7,7 +7,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// wall_decision's questions answered in T itself, by variant V.
+// Answers the questions of wall_decision in T, by variant V.
 template <variant V, class T, class M>
 class direct_signs {
   public:
@@ -48,8 +48,8 @@ class direct_signs {
 
 } // namespace detail
 
-// The whole solution in T: the feature that is met first, and by Eq. (33) completed or the quadratic of the edge or
-// corner in variant V when and where. Does not check its input.
+// The whole solution in T: the feature that is met first, then time and contact, by Eq. (33) completed or by the
+// quadratic of the edge or corner in variant V. Does not check its input.
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
 requires field_number<T> && has_variant<V, T>
 [[nodiscard]] constexpr wall_solution<N, T> solve(const ball<N, T>& b, const wall<N, T>& w) {

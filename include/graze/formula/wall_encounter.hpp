@@ -1,9 +1,9 @@
-// Which feature of a wall a ball meets first, and how: one procedure, whose questions are the signs of wall_features.
+// Which feature of a wall a ball meets first, and the encounter: one procedure that asks for signs of wall_features.
 //
-// The distance from the centre to the wall, a convex set, is a convex function of time. Its closest feature now tells
-// whether the ball recedes or overlaps. Otherwise the ball enters the set of points at distance <= r exactly once,
-// through the face's offset plane, an edge's cylinder or a corner's sphere; the entry is through that one whose
-// touching point is the wall's closest point at that time, so that no two times are compared.
+// The wall is a convex set, so the centre's distance from it is a convex function of time. The wall's closest feature
+// at t = 0 tells whether the ball recedes or overlaps. Otherwise, unless it misses, the centre enters the set of points
+// at distance <= r exactly once: through the face's offset plane, an edge's cylinder or a corner's sphere. It enters
+// through the feature whose touching point is the wall's closest point at that time. So no two times are compared.
 #pragma once
 
 #include <graze/formula/discriminant.hpp>
@@ -18,8 +18,8 @@ enum class feature { face, edge, corner };
     return f == feature::face ? "face" : f == feature::edge ? "edge" : "corner";
 }
 
-// index of an edge: 2i + far for the one at λ_i = far; of a corner: λ_0 + 2 λ_1. For recede and overlap the feature is
-// the closest one now; for a miss it means nothing.
+// index: for an edge at λ_i = far, 2i + far; for a corner, λ_0 + 2 λ_1. For recede and overlap the feature is the
+// closest one at t = 0; for a miss it means nothing.
 struct wall_encounter {
     encounter what;
     feature where;
@@ -31,7 +31,7 @@ struct wall_encounter {
     return index < 2 ? wall_view{index, false} : wall_view{(index - 2) << 1, true};
 }
 
-// The norm of p + q√d, whose sign decides where p and q√d have opposite ones.
+// The norm of p + q√d. Where p and q√d have opposite signs, the sign of the norm decides.
 template <class P, class Q, class D>
 struct root_norm {
     template <class M>
@@ -42,8 +42,9 @@ struct root_norm {
     }
 };
 
-// The procedure. Signs answers for a view of the wall: signs(view, F{}) is the sign of formula F; signs.root(view, P{},
-// Q{}, D{}, f) that of P + f Q√D, f = ±1; signs.edge_discriminant(view) and signs.corner_discriminant(view) those of D.
+// The procedure. Signs answers its questions for a view of the wall: signs(view, F{}) is the sign of formula F;
+// signs.root(view, P{}, Q{}, D{}, f) is that of P + f Q√D, with f = ±1; signs.edge_discriminant(view) and
+// signs.corner_discriminant(view) are those of D.
 template <int N, class Signs>
 class wall_decision {
   public:
@@ -86,7 +87,7 @@ class wall_decision {
         int index;
     };
 
-    // The feature on which the wall's closest point to the centre is at t = 0.
+    // The feature with the wall's closest point to the centre at t = 0.
     [[nodiscard]] constexpr located closest_feature() const {
         constexpr wall_view base{};
         const bool low0 = signs_(base, side_height<0, 0>{}) < 0;
@@ -172,8 +173,9 @@ class wall_decision {
         return signs_.root(view, value_at_root<a, h, X, V>{}, V{}, corner_formula<discriminant_lagrange>{}, -1);
     }
 
-    // Where D = 0 the ball may slide along the face, or along an edge, at exactly the distance r, and touch the wall
-    // from one border to the other. The one that it leaves, moving outwards from it, is not the first.
+    // If D = 0 the ball may slide along the face, or along an edge, at exactly the distance r, and touch the wall from
+    // one end to the other. The feature at the end where it leaves, moving outwards, is not the one that it meets
+    // first.
     [[nodiscard]] constexpr encounter enters_edge(wall_view view) const {
         if (signs_(view, edge_h{}) >= 0 || signs_(view, edge_c{}) < 0) {
             return encounter::miss;

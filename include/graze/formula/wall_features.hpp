@@ -1,7 +1,7 @@
-// A ball against a wall's face, edges and corners: the rectangle test and the rest that section 2.2 of the source
-// lacks.
+// A ball against a wall's face, edges and corners: the rectangle test and everything else that section 2.2 of the
+// source lacks.
 //
-// The wall is the set corner + Σ λ_i e_i with 0 <= λ_i <= 1. All tests are signs of numbers p + q√d that are formulas
+// The wall is the set corner + Σ λ_i e_i with 0 <= λ_i <= 1. All tests are signs of numbers p + q√d. These are formulas
 // in w = x - corner, u, e and r, without a division.
 #pragma once
 
@@ -58,9 +58,9 @@ template <int N, class X, class U, class E, class S, class NN, class M>
     return plane_motion<N, X, U, NN, S>{m.w, m.u, m.n, m.r};
 }
 
-// One wall, seen from its corner `corner` (λ_0 + 2 λ_1): the corner is the origin and the edges run from it inwards,
-// exchanged if `swapped`. Every edge and corner is thus the edge λ_0 = 0, which runs along e[1], and the corner 0, of
-// some view.
+// A wall seen from its corner number `corner` (λ_0 + 2 λ_1): that corner is the origin, and the edges run from it along
+// the wall, exchanged if `swapped`. So every edge is the edge λ_0 = 0, which runs along e[1], of some view, and every
+// corner the corner 0 of some view.
 struct wall_view {
     int corner = 0;
     bool swapped = false;
@@ -81,7 +81,7 @@ template <int N, class E, std::size_t Edges>
     }
 }
 
-// The centre from the view's corner: w less the edges that lead there.
+// The centre seen from the view's corner: w less the edges that lead to that corner.
 template <int N, class X, class E, std::size_t Edges>
 [[nodiscard]] constexpr auto centre_seen_from(const vec<N, X>& w, const std::array<vec<N, E>, Edges>& e,
                                               wall_view view) {
@@ -115,7 +115,7 @@ struct side_height {
     }
 };
 
-// u·side_i: how fast that grows.
+// u·side_i: how fast side_height grows.
 template <int I>
 struct side_speed {
     template <class M>
@@ -124,8 +124,8 @@ struct side_speed {
     }
 };
 
-// The rectangle test at the time t at which the ball touches the face's plane: (λ_i(t) - far) n·n (u·n) is p - σ q√d
-// with these, σ the sign of u·n.
+// The rectangle test at the time t at which the ball touches the face's plane: (λ_i(t) - far) n·n (u·n) = p - σ q√d,
+// with the following p, q and d, and σ the sign of u·n.
 template <int I, int Far>
 struct face_foot_p {
     template <class M>
@@ -147,8 +147,8 @@ struct face_foot_d {
     }
 };
 
-// The ball against the infinite line along the view's edge e = e[1], in space: distances across it are |· × e| / |e|,
-// so that with everything times e·e: a = |u × e|², h = ⟨w × e, u × e⟩, c = |w × e|² - r² e·e.
+// The ball against the infinite line along the view's edge e = e[1], in space. Distances across the line are |· × e| /
+// |e|. Multiplied by e·e, the coefficients are a = |u × e|², h = ⟨w × e, u × e⟩, c = |w × e|² - r² e·e.
 struct edge_a {
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
@@ -187,7 +187,7 @@ template <class M>
     return quadratic{edge_a{}(m), edge_h{}(m), edge_c{}(m)};
 }
 
-// Where along the edge the centre's foot is at t = 0: w·e - end e·e.
+// The position of the centre's foot along the edge at t = 0: w·e - end e·e.
 template <int End>
 struct edge_foot {
     template <class M>
@@ -220,7 +220,7 @@ struct corner_formula {
     }
 };
 
-// How far along edge i from the corner, and how fast that grows.
+// The centre's distance from the corner along edge i, times its length, and how fast it grows.
 template <int I>
 struct coordinate_along {
     template <class M>
@@ -236,7 +236,7 @@ struct speed_along {
     }
 };
 
-// A quantity x + v t at the smaller root of a t² + 2 h t + c: (p - v√D)/a with this p.
+// A quantity x + v t at the smaller root of a t² + 2 h t + c is (p - v√D)/a, with this p.
 template <class A, class H, class X, class V>
 struct value_at_root {
     template <class M>

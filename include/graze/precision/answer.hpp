@@ -1,4 +1,4 @@
-// What a formula answers to a pair of things, for the precision suite to judge.
+// A formula's answer for a pair, as the precision regression judges it.
 #pragma once
 
 #include <graze/formula/wall_encounter.hpp>
@@ -10,8 +10,8 @@
 
 namespace graze::inline v0_1::precision {
 
-// What the suite knows the exact value of. position: of the balls, or of a ball and of the point where it touches.
-// order: the sign of t1 - t2 of two pairs.
+// The quantities whose exact values the regression knows. position: those of the balls, or of a ball and of the point
+// where it touches. order: the sign of t1 - t2 for two pairs.
 enum class quantity {
     coefficient_a,
     coefficient_h,
@@ -42,10 +42,10 @@ struct value {
     std::vector<reading> components;
 };
 
-// Of an answer that tells the kind of a wall's feature, but not which one.
+// The index in an answer that tells the kind of a wall's feature, but not which one.
 inline constexpr int index_unknown = -1;
 
-// Put together by `and_`. what: how the pair meets; where and index: the feature of a wall.
+// Built by `and_`. what: the encounter. where, index: the feature of a wall.
 struct answer {
     std::optional<encounter> what;
     std::optional<feature> where;

@@ -1,4 +1,4 @@
-// What graze promises to be right, as the precision suite measures it: no wrong decision and no misrounded number.
+// What graze promises, as the precision regression measures it: no wrong decision and no misrounded number.
 #pragma once
 
 #include <graze/contact/collide_balls.hpp>

@@ -1,4 +1,4 @@
-// The formulas of graze as the precision suite measures them.
+// The formulas of graze, as the precision regression measures them.
 #pragma once
 
 #include <graze/formula/root_order.hpp>
@@ -59,7 +59,7 @@ struct discriminant_in {
     }
 };
 
-// All that graze::solve says, in variant V and root form F.
+// The whole solution of graze::solve, in variant V and root form F.
 template <variant V, root_form F>
 struct solution_in {
     static constexpr const char* name = detail::name_of_method<V, F>;
@@ -90,7 +90,7 @@ struct solution_in {
     }
 
   private:
-    // An infinite mass is an infinity, whose inverse is 0 under flags that promise finite numbers as well.
+    // The inverse of a mass. That of an infinite mass is 0, also under flags that promise finite numbers.
     template <class T>
     [[nodiscard]] static T inverse(const T& mass) {
         return detail::exponent_field(number_access<T>::read(mass).parts.front()) == 0x7ff ? T(0) : T(T(1) / mass);

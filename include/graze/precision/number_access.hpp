@@ -1,4 +1,4 @@
-// How the precision suite gets numbers into a type and out of it again, without an error of its own.
+// How the precision regression converts numbers into a type and back, without an error of its own.
 #pragma once
 
 #include <graze/number/floating.hpp>
@@ -13,8 +13,8 @@
 
 namespace graze::inline v0_1::precision {
 
-// A number told in doubles: the sum of the parts, times 2^exponent 10^decimal_exponent, exactly. There is at least one
-// part; one that is not finite says that the number is none.
+// A number in doubles: exactly the sum of the parts, times 2^exponent 10^decimal_exponent. There is at least one part.
+// A part that is not finite means that the value is not a number.
 struct reading {
     std::vector<double> parts;
     int exponent = 0;
@@ -25,21 +25,23 @@ namespace detail {
 
 inline constexpr std::size_t most_parts = 32;
 
-// Of the double nearest to a number: no further operation on it depends on flags that promise finite numbers.
+// The exponent field of x. Being an integer, it can be compared under flags that promise finite numbers.
 [[nodiscard]] constexpr int exponent_field(double x) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52U & 0x7ffU);
 }
 
 } // namespace detail
 
-// Specialise for a number type to which double does not convert as described, or that is not a sum of a few doubles.
-//   from   the value of T that the formulas start from; the suite asks for the truth about that value, not about x
+// Specialise it for a number type that static_cast does not convert from and to double, or that is not a sum of a few
+// doubles.
+//   from   the value of T that the formulas start from; the regression computes the truth for that value, not for x
 //   read   the value of a result, exactly
 template <number T>
 struct number_access {
     [[nodiscard]] static T from(double x) { return static_cast<T>(x); }
 
-    // The leading double, then that of what remains. Beyond the range of double powers of two are taken out first.
+    // The leading double, then that of the remainder, and so on. Beyond the range of double, powers of two are taken
+    // out first.
     [[nodiscard]] static reading read(T x) {
         reading r;
         if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>) {
@@ -69,19 +71,20 @@ struct number_access {
     }
 
   private:
-    // Whether the range may exceed double's as well: types without a number of digits, such as fixed point, have
-    // theirs.
+    // Whether the range may exceed double's too. Types without a number of digits, such as fixed-point types, have a
+    // range of their own.
     static constexpr bool digits_exceed_double() { return number_traits<T>::digits > 53; }
 
-    // Through memory, so that no flag lets a compiler take the conversion and its inverse for the identity.
+    // Through memory, so that no flag lets a compiler drop the conversion and its inverse.
     [[nodiscard]] static double nearest(const T& x) {
         const volatile double y = static_cast<double>(x);
         return y;
     }
 };
 
-// What the suite has to know of a type. digits: of the significand, in whose units of the last place errors are told;
-// those of a decimal type in decimal_digits. lowest: the exponent of the smallest positive number, where there is one.
+// What the regression must know of a type. digits: those of the significand; errors are in units of its last place, or
+// for a decimal type of the last of its decimal_digits. lowest: the exponent of the smallest positive number, if there
+// is one.
 struct number_type {
     std::string name;
     int digits = 53;
@@ -91,9 +94,9 @@ struct number_type {
     reading (*rounded)(double) = nullptr; // of a decimal type: what it holds for x, which is no double
 };
 
-// The name without spaces; that of long double with its digits, which differ between platforms. A type without a number
-// of digits is told in those of double. Sums of several doubles have the exponents of double, but a unit in the last
-// place far below the smallest double: theirs is told as if it went down without end.
+// The name is without spaces; that of long double contains its digits, which differ between platforms. A type without a
+// number of digits gets those of double. Sums of several doubles have the exponents of double, but a unit in the last
+// place far below the smallest double; for them, lowest is as if the exponents had no lower limit.
 template <number T>
 [[nodiscard]] number_type describe() {
     using traits = number_traits<T>;

@@ -1,4 +1,4 @@
-// A formula in a number type, with the type hidden: what the precision suite measures.
+// A formula in a number type, with the type erased: the subject of a measurement in the precision regression.
 #pragma once
 
 #include <graze/precision/answer.hpp>
@@ -12,14 +12,14 @@
 
 namespace graze::inline v0_1::precision {
 
-// A ball and what it may meet.
+// A ball and the other thing of a pair.
 template <int N>
 struct pair {
     ball<N, double> a;
     std::variant<ball<N, double>, plane<N, double>, wall<N, double>> other;
 };
 
-// Nothing where the formula is not about such a pair. May throw, which counts as a wrong answer.
+// The answer is empty if the formula is not about such a pair. The call may throw, which counts as a wrong answer.
 class subject {
   public:
     subject() = default;
@@ -29,7 +29,7 @@ class subject {
 
     [[nodiscard]] virtual std::optional<answer> operator()(const pair<2>& p) const = 0;
     [[nodiscard]] virtual std::optional<answer> operator()(const pair<3>& p) const = 0;
-    // Of two pairs: their order.
+    // The order of two pairs' times.
     [[nodiscard]] virtual std::optional<answer> operator()(const pair<2>& p, const pair<2>& q) const = 0;
     [[nodiscard]] virtual std::optional<answer> operator()(const pair<3>& p, const pair<3>& q) const = 0;
 
@@ -105,10 +105,10 @@ class typed_subject final : public subject {
 
 } // namespace detail
 
-// A formula that the suite can measure in T: a stateless function object that answers to two balls, a ball and a plane,
-// a ball and a wall (or, for an order, four balls), in the plane, in space or both. It has
-//   static constexpr const char* name;      what tables call it, a word
-//   static constexpr quantity measures;     what counts as wrong where it throws
+// A formula that the regression can measure in T: a stateless function object to call with two balls, a ball and a
+// plane, a ball and a wall (or, for an order, four balls), in the plane, in space or both. It has
+//   static constexpr const char* name;      its name in tables, a word
+//   static constexpr quantity measures;     the quantity that counts as wrong if it throws
 //   static constexpr bool correctly_rounded = true;   if it promises that nothing is ever wrong
 template <class F, class T>
 concept measurable = number<T> && std::default_initializable<F> && requires {
