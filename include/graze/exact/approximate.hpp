@@ -1,4 +1,4 @@
-// Wide integers as doubles with an exponent of their own.
+// Wide integers as doubles with a separate exponent.
 #pragma once
 
 #include <graze/exact/sparse_integer.hpp>
@@ -8,8 +8,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// significand · 2^exponent, within 4u of an integer, relatively, in any rounding mode; 0 is exact. The significand is
-// below 2^65 in magnitude, so that it and its square can neither over- nor underflow.
+// significand · 2^exponent, which is within 4u of an integer, relatively, in any rounding mode; 0 is exact. The
+// significand is below 2^65 in magnitude, so that neither it nor its square can over- or underflow.
 struct scaled_double {
     double significand = 0;
     int exponent = 0;
@@ -41,8 +41,8 @@ template <int Bits>
     if (x.count() == 0) {
         return {};
     }
-    // The highest digit may be small: the next one then carries the significant bits. What is below is less than one
-    // part in 2^63 of these two.
+    // The highest digit may be small; then the next one carries the significant bits. The digits below these two amount
+    // to less than one part in 2^63 of them.
     const int last = x.count() - 1;
     const int position = x.position(last);
     const auto high = static_cast<double>(x.digit(last));

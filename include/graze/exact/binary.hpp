@@ -1,4 +1,4 @@
-// Finite binary numbers taken apart: significand · 2^exponent, from their bits alone.
+// Finite binary numbers as significand · 2^exponent, from their bits alone.
 #pragma once
 
 #include <graze/machine/fence.hpp>
@@ -12,8 +12,7 @@
 
 namespace graze::inline v0_1 {
 
-// The types of whose values the predicates take decisions: float, double, and signed integers of 32 and of 64 bits
-// under whichever name.
+// The types that decisions accept: float, double, and signed integers of 32 and 64 bits under any name.
 template <class T>
 inline constexpr bool is_binary_input = std::same_as<T, float> || std::same_as<T, double> ||
                                         (std::signed_integral<T> && (sizeof(T) == 4 || sizeof(T) == 8));
@@ -52,18 +51,18 @@ template <std::signed_integral T>
     return true;
 }
 
-// Whether T is an integer that a double may not hold.
+// Whether T is an integer type with values that no double equals.
 template <class T>
 inline constexpr bool is_wide_integer = std::signed_integral<T> && sizeof(T) == 8;
 
-// Whether x is so small that a mode may read it as 0. By one range of the bits: clang makes a comparison of all of them
-// but the sign with 0 a comparison of x itself, which then reads it as 0.
+// Whether x is so small that a mode may read it as 0. The test is for a range of the bits. If all bits but the sign
+// were compared with 0, clang would compare x itself with 0, and the mode would read it as 0.
 [[nodiscard]] constexpr bool is_subnormal(const double& x) noexcept {
     return (bits_of(x) << 1 >> 1) - 1 < 0xfffffffffffffU;
 }
 [[nodiscard]] constexpr bool is_subnormal(const float& x) noexcept { return (bits_of(x) << 1 >> 1) - 1 < 0x7fffffU; }
 
-// x as significand · 2^exponent with the significand as it is stored.
+// x as significand · 2^exponent, with the significand as it is stored.
 [[nodiscard]] constexpr binary split(const double& x) noexcept {
     const std::uint64_t bits = bits_of(x);
     const int field = static_cast<int>(bits >> 52 & 0x7ff);
@@ -83,7 +82,7 @@ template <std::signed_integral T>
     return {x, 0};
 }
 
-// x taken apart; x is finite. Exact for subnormals, whatever the flushing mode.
+// A finite x as significand · 2^exponent. Exact for subnormals, whatever the flushing mode.
 template <class T>
 requires is_binary_input<T>
 [[nodiscard]] constexpr binary to_binary(const T& x) noexcept {
@@ -91,7 +90,7 @@ requires is_binary_input<T>
     return odd(b.significand, b.exponent);
 }
 
-// |x| as an unsigned number of the same order; its least bits are the significand's, without the hidden one.
+// An unsigned number that is ordered as |x| is. Its lowest bits are those of the significand, without the hidden bit.
 [[nodiscard]] constexpr std::uint64_t order_of_magnitude(const double& x) noexcept { return bits_of(x) << 1 >> 1; }
 [[nodiscard]] constexpr std::uint64_t order_of_magnitude(const float& x) noexcept { return bits_of(x) << 1 >> 1; }
 template <std::signed_integral T>
@@ -100,13 +99,13 @@ template <std::signed_integral T>
     return x < 0 ? 0 - bits : bits;
 }
 
-// Whether x is 0 of either sign. Were it known whose bits these are, clang 19 would compare numbers instead where it
-// takes two at a time, and a subnormal is equal to 0 wherever it is read as that.
+// Whether x is 0 of either sign. The bits are opaque to the compiler: where it handles two at a time, clang 19 would
+// otherwise compare the numbers, and a subnormal equals 0 if a mode reads it as 0.
 template <class T>
 requires is_binary_input<T>
 [[nodiscard]] constexpr bool is_zero(const T& x) noexcept { return opaque(order_of_magnitude(x)) == 0; }
 
-// The exponent that split gives to a number of this order, and how many bits its stored significand has at most.
+// For a number with this order_of_magnitude: its exponent by split, and the largest width of its stored significand.
 template <class T>
 [[nodiscard]] constexpr int stored_exponent(std::uint64_t order) noexcept {
     if constexpr (std::signed_integral<T>) {
@@ -122,8 +121,9 @@ template <class T>
     return std::signed_integral<T> ? static_cast<int>(std::bit_width(highest_order)) : std::numeric_limits<T>::digits;
 }
 
-// K numbers as integers on one scale: value_i = get(i) · 2^exponent, |get(i)| < 2^width. Zeros take no part in the
-// scale; bits that are zero in all significands are left out, so that small integers and numbers on a grid stay narrow.
+// K numbers as integers on a common scale: value_i = get(i) · 2^exponent, |get(i)| < 2^width. Zeros do not affect the
+// scale. Low bits that are zero in all significands are dropped, so that small integers and numbers on a grid stay
+// narrow.
 template <std::size_t K>
 struct lifted {
     std::array<std::int64_t, K> significand; // not zeroed first: lift writes all of them
@@ -167,7 +167,7 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
     r.width = stored_exponent<T>(high) - r.lowest + stored_bits<T>(high) - r.zeros;
 }
 
-// Brings a group to a scale that is not above its own.
+// Brings a group to another scale, not above its own.
 template <std::size_t K>
 constexpr void lower(lifted<K>& x, int exponent) noexcept {
     const int down = x.exponent - exponent;

@@ -1,5 +1,5 @@
-// A wide integer seen from afar: a double, an exponent and an error, for formulas whose exact value is dear and whose
-// sign is mostly plain.
+// A wide integer as a double, an exponent and a running error, for formulas whose exact value is expensive and whose
+// sign is usually clear.
 #pragma once
 
 #include <graze/exact/approximate.hpp>
@@ -7,7 +7,7 @@
 namespace graze::inline v0_1::detail {
 
 // |exact - value · 2^exponent| <= error · 2^exponent, in any rounding mode; |value| <= 2 and error <= 2^101, and
-// neither becomes an infinity. A number type with the sums and products that the formulas need.
+// neither becomes an infinity. It is a number type with the sums and products that the formulas need.
 struct estimate {
     double value = 0;
     double error = 0;
@@ -20,8 +20,8 @@ struct estimate {
 
 [[nodiscard]] constexpr double magnitude(double x) noexcept { return x < 0 ? -x : x; }
 
-// The same with the value in [1, 2), or the error where that is far greater: products of any number of factors stay in
-// range. What is not zero among them is above 2^-1000 before.
+// The same number with its value in [1, 2), or its error if that is far greater, so that products of any number of
+// factors stay in range. Before, every part that is not zero is above 2^-1000.
 [[nodiscard]] constexpr estimate normalised(const estimate& x) noexcept {
     const double leading = magnitude(x.value) < x.error * 0x1p-100 ? x.error : x.value;
     const int power = static_cast<int>(std::bit_cast<std::uint64_t>(leading) >> 52 & 0x7ff) - 1023;
@@ -32,7 +32,7 @@ struct estimate {
     return {x.value * scale, x.error * scale, x.exponent + power};
 }
 
-// x at a larger exponent; what is shifted out of sight becomes error.
+// x at a larger exponent. What is shifted out becomes part of the error.
 [[nodiscard]] constexpr estimate at_exponent(const estimate& x, int exponent) noexcept {
     const int down = exponent - x.exponent;
     if (down > 400) {
@@ -60,7 +60,7 @@ template <class I>
 [[nodiscard]] constexpr bool is_zero(const estimate& x) noexcept { return x.value == 0 && x.error == 0; }
 
 [[nodiscard]] constexpr estimate operator+(const estimate& x, const estimate& y) noexcept {
-    if (is_zero(x) || is_zero(y)) { // whose exponent means nothing
+    if (is_zero(x) || is_zero(y)) { // the exponent of a zero means nothing
         return is_zero(x) ? y : x;
     }
     const int exponent = x.exponent > y.exponent ? x.exponent : y.exponent;
@@ -71,7 +71,7 @@ template <class I>
 }
 [[nodiscard]] constexpr estimate operator-(const estimate& x, const estimate& y) noexcept { return x + -y; }
 
-// Whether the sign of the estimate is that of the exact value.
+// Whether the estimate certainly has the sign of the exact value.
 [[nodiscard]] constexpr bool is_certain(const estimate& x) noexcept { return magnitude(x.value) > x.error; }
 
 } // namespace graze::inline v0_1::detail

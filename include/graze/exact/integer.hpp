@@ -15,8 +15,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// f(0), ..., f(Count - 1), written out when there are few: compilers at -O2 keep such loops, which costs more than the
-// work.
+// f(0), ..., f(Count - 1), unrolled if there are few: at -O2 compilers keep such loops, which cost more than the work.
 template <int Count, class F>
 constexpr void repeat(F f) {
     if constexpr (Count <= 5) {
@@ -31,8 +30,8 @@ constexpr void repeat(F f) {
 
 } // namespace detail
 
-// An integer x with |x| < 2^Bits. Exact, constexpr, never allocates. + and - give max + 1 bits, * the sum of both.
-// Two's complement in 64-bit limbs, the lowest first.
+// An integer x with |x| < 2^Bits. It is exact and constexpr and never allocates. A sum or difference has one bit more
+// than the wider operand, a product the bits of both. Two's complement in 64-bit limbs, lowest first.
 template <int Bits>
 class integer {
     static_assert(Bits >= 1, "graze::integer: at least one bit");
@@ -43,12 +42,12 @@ class integer {
 
     constexpr integer() noexcept = default;
 
-    // From a type of which every value fits.
+    // From a type whose values all fit.
     template <std::signed_integral I>
     requires(sizeof(I) <= 8 && Bits >= 8 * static_cast<int>(sizeof(I))) constexpr integer(I value) noexcept {
         fill(static_cast<std::int64_t>(value));
     }
-    // From a constant that fits; one that does not refuses to compile.
+    // From a constant that fits. One that does not fit does not compile.
     template <std::same_as<int> I>
     requires(Bits < 8 * static_cast<int>(sizeof(int))) consteval integer(I value) {
         if (value >> Bits != (value < 0 ? -1 : 0) || -value >> Bits != (value > 0 ? -1 : 0)) {
@@ -63,7 +62,7 @@ class integer {
         detail::repeat<limbs>([&](int i) { limb_[static_cast<unsigned>(i)] = x.limb(i); });
     }
 
-    // significand · 2^shift, of which the caller knows that it fits; 0 <= shift.
+    // significand · 2^shift, shift >= 0. The caller knows that it fits.
     [[nodiscard]] static constexpr integer from_shifted(std::int64_t significand, int shift) noexcept {
         integer x;
         if constexpr (limbs == 1) {
@@ -121,7 +120,7 @@ class integer {
         return std::strong_ordering::equal;
     }
 
-    // Writes limb i; for the arithmetic below.
+    // Writes limb i. For the arithmetic below.
     constexpr void set_limb(int i, std::uint64_t value) noexcept { limb_[static_cast<unsigned>(i)] = value; }
 
   private:
@@ -155,8 +154,8 @@ template <int A, int B>
     return r;
 }
 
-// Rows of unsigned products; what a negative factor's top bit counted too much is taken off at the end (modulo the
-// width).
+// Rows of unsigned products. A negative factor's top bit adds too much; this is subtracted at the end, modulo the
+// width.
 template <int A, int B>
 [[nodiscard]] constexpr auto operator*(const integer<A>& x, const integer<B>& y) noexcept {
     using product = integer<A + B>;

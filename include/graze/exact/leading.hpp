@@ -1,5 +1,5 @@
-// The leading 64 bits of a real number with a bound of their error, in integer arithmetic alone: no floating-point
-// environment changes a result, and a constant expression gives the same one.
+// The leading 64 bits of a real number with a running error, in integer arithmetic alone. So results are the same in
+// every floating-point environment and in constant expressions.
 #pragma once
 
 #include <graze/exact/sparse_integer.hpp>
@@ -10,23 +10,23 @@
 
 namespace graze::inline v0_1::detail {
 
-// |x - (±significand) 2^exponent| <= error 2^exponent. The significand is at least 2^63, or 0: then x is 0 if the error
-// is, and not known otherwise. Bounds below hold for errors up to 2^40, far above what callers accept.
+// |x - (±significand) 2^exponent| <= error 2^exponent. The significand is at least 2^63, or 0. If it is 0, then x is 0
+// if the error is 0, and unknown otherwise. The bounds below hold for errors up to 2^40, far above what callers accept.
 struct leading {
     std::uint64_t significand = 0;
     std::uint64_t error = 0;
     int exponent = 0;
     bool negative = false;
 
-    // Whether the bits are good to the given error; what is exactly 0 is.
+    // Whether the error is at most `limit`. True for an exact 0.
     [[nodiscard]] constexpr bool is_within(std::uint64_t limit) const noexcept {
         return error <= limit && (significand != 0 || error == 0);
     }
 };
 
-inline constexpr std::uint64_t no_bits = ~std::uint64_t{0}; // the error of what is not known
+inline constexpr std::uint64_t no_bits = ~std::uint64_t{0}; // the error of an unknown number
 
-// The first 64 bits of high · 2^64 + low, not 0, in units of 2^exponent, cut off there.
+// The first 64 bits, truncated, of high · 2^64 + low, not 0, in units of 2^exponent.
 [[nodiscard]] constexpr leading leading_of_words(std::uint64_t high, std::uint64_t low, int exponent, bool negative,
                                                  std::uint64_t error) noexcept {
     if (high == 0) {
@@ -38,7 +38,7 @@ inline constexpr std::uint64_t no_bits = ~std::uint64_t{0}; // the error of what
     return {high << zeros | below, 1 + (error >> (64 - zeros - 1) >> 1), exponent + 64 - zeros, negative};
 }
 
-// |x| of a negative x is one more than its complement.
+// For a negative x, |x| is one more than its complement.
 template <int Bits>
 [[nodiscard, gnu::noinline]] constexpr leading leading_of(const integer<Bits>& x) noexcept {
     const bool negative = x.is_negative();
@@ -56,8 +56,8 @@ template <int Bits>
                           : leading{};
 }
 
-// The highest digit may be ±1 and the next one of the other sign, so that the three highest together give 64 bits; all
-// below them amount to less than one unit of the third.
+// The highest digit may be ±1 and the next one of the other sign, so it takes the three highest to get 64 bits. All
+// digits below them amount to less than one unit of the third.
 template <int Bits>
 [[nodiscard, gnu::noinline]] constexpr leading leading_of(const sparse_integer<Bits>& x) noexcept {
     const int count = x.count();

@@ -1,5 +1,5 @@
-// From the leading bits of a number to a float or a double, where they tell to which one it is rounded; where they do
-// not, one boundary is left in question.
+// From the leading bits of a number to the float or double that it is rounded to. Where they leave this open, exactly
+// one boundary is in question.
 #pragma once
 
 #include <graze/exact/leading.hpp>
@@ -10,13 +10,13 @@
 
 namespace graze::inline v0_1::detail {
 
-// The error up to which an estimate serves T: with it, a quotient and 4 bits more, no two boundaries of T, which are
-// 2^(63 - digits) units apart, come into question.
+// The largest error of an estimate that can be rounded to T. With it, the error of a quotient and 4 bits more, at most
+// one boundary of T is in question, since boundaries are 2^(63 - digits) units apart.
 template <class T>
 inline constexpr std::uint64_t largest_error = std::uint64_t{1} << (59 - std::numeric_limits<T>::digits);
 
-// The number in T that x is rounded to, x not 0 and its error at most 2 (largest_error + 2); against(m, e) is the sign
-// of |x| - m 2^e.
+// The number in T that x is rounded to. x is not 0 and its error is at most 2 (largest_error + 2). against(m, e) is the
+// sign of |x| - m 2^e.
 template <class T, class Against>
 [[nodiscard]] constexpr T round_estimate(const leading& x, rounding mode, Against against) {
     constexpr binary_format format = format_of<T>;
@@ -48,7 +48,7 @@ template <class T, class Against>
     return from_bits<T>(rounded_bits(format, cut, x.negative, mode), x.negative);
 }
 
-// |(p + q√d)/r| · 2^scale rounded, by the leading bits of p, q, √d and r where those leave no doubt.
+// (p + q√d)/r · 2^scale rounded, by the leading bits of p, q, √d and r; empty if those leave a doubt.
 template <class T>
 [[nodiscard, gnu::noinline]] constexpr std::optional<T>
 round_leading(const leading& p, const leading& q, const leading& root, const leading& r, int scale, rounding mode) {

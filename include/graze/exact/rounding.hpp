@@ -1,4 +1,4 @@
-// From a magnitude cut off at a bit to a float or a double, by its bits.
+// From a truncated magnitude to a float or a double, by its bits.
 #pragma once
 
 #include <bit>
@@ -7,9 +7,9 @@
 
 namespace graze::inline v0_1 {
 
-// nearest: ties to even, and to an infinity from the middle between the largest number and the next power of two on.
-// downward, upward: the nearest number that is not above, not below; beyond the largest number that is it or an
-// infinity.
+// nearest: ties to even; to an infinity from the middle between the largest number and the next power of two on.
+// downward, upward: to the nearest number that is not above, or not below. Beyond the largest number that is the
+// largest number or an infinity.
 enum class rounding { nearest, downward, upward };
 
 namespace detail {
@@ -20,7 +20,7 @@ struct binary_format {
     int lowest;
     int highest;
 
-    // The bits of +∞; the magnitude of a number is less as its bits are less.
+    // The bits of +∞. Numbers of smaller magnitude have smaller bits.
     [[nodiscard]] constexpr std::uint64_t infinite_bits() const noexcept {
         return static_cast<std::uint64_t>(highest - lowest + 2) << (precision - 1);
     }
@@ -36,15 +36,15 @@ inline constexpr binary_format format_of = {std::numeric_limits<T>::digits,
                                             std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits,
                                             std::numeric_limits<T>::max_exponent - std::numeric_limits<T>::digits};
 
-// A magnitude cut off one bit below the last place of a format: halves · 2^exponent, and whether there is more.
+// A magnitude truncated one bit below the last place of a format: halves · 2^exponent, and whether there is more.
 struct cut_off {
     std::uint64_t halves;
     int exponent;
     bool more;
 };
 
-// The bits of ±x rounded. One addition to the bits is one step to the next number, over powers of two, from the
-// subnormal to the normal numbers and from the largest one to infinity.
+// The bits of ±x rounded. Adding one to the bits is a step to the next number, also across powers of two, from the
+// subnormal to the normal numbers, and from the largest number to infinity.
 [[nodiscard]] constexpr std::uint64_t rounded_bits(const binary_format& format, const cut_off& x, bool negative,
                                                    rounding mode) noexcept {
     const std::uint64_t infinity = format.infinite_bits();

@@ -1,5 +1,5 @@
-// Sums and products of sparse integers' digits, compiled once for all widths: most of what a program with exact
-// predicates has to compile would otherwise be these loops again and again.
+// Sums and products of sparse integers' digits, compiled once for all widths. Otherwise a program with exact decisions
+// would spend most of its compile time on these loops, again and again.
 #pragma once
 
 #include <graze/machine/wide_multiply.hpp>
@@ -10,14 +10,14 @@
 
 namespace graze::inline v0_1::detail {
 
-// Σ digit_i 2^(64 position_i), positions ascending, held by somebody else.
+// A non-owning view of Σ digit_i 2^(64 position_i), positions ascending.
 struct sparse_digits {
     int count;
     const std::int16_t* position;
     const std::int64_t* digit;
 };
 
-// Where digits are written, from the lowest; a zero is left out. There is room for all of them.
+// A non-owning output for digits, from the lowest on. It omits zeros. There is room for all digits.
 struct sparse_output {
     int count;
     std::int16_t* position;
@@ -41,7 +41,7 @@ struct sparse_output {
     return x.count;
 }
 
-// Writes x + factor·y for factor 1 or -1, digit by digit from the lowest; returns how many there are.
+// Writes x + factor·y for factor 1 or -1, digit by digit from the lowest on. Returns the number of digits.
 [[nodiscard, gnu::noinline]] constexpr int add_digits(const sparse_digits& x, const sparse_digits& y, int factor,
                                                       sparse_output r) noexcept {
     int i = 0;
@@ -63,12 +63,12 @@ struct sparse_output {
     return r.count;
 }
 
-// Digits summed up in place, with a mask of the positions that were touched; somebody else holds both.
+// Adds up digits in place, with a mask of the positions that are in use. It owns neither.
 class digit_accumulator {
   public:
     constexpr digit_accumulator(std::uint64_t* touched, std::int64_t* sum) noexcept : touched_(touched), sum_(sum) {}
 
-    // Adds x·y, row by row. By value: what is written cannot be what describes the factors.
+    // Adds x·y, row by row. By value, so that the compiler knows that no write changes the views.
     [[gnu::noinline]] constexpr void add_product(sparse_digits x, sparse_digits y) noexcept {
         digit_accumulator here = *this;
         for (int i = 0; i < x.count; ++i) {
@@ -91,7 +91,7 @@ class digit_accumulator {
         }
     }
 
-    // Writes the sum, of which `words` words of the mask are in use.
+    // Writes the sum, from the first `words` words of the mask.
     [[nodiscard, gnu::noinline]] constexpr int write(int words, sparse_output r) const noexcept {
         for (int word = 0; word < words; ++word) {
             for (std::uint64_t rest = touched_[word]; rest != 0; rest &= rest - 1) {
@@ -103,7 +103,7 @@ class digit_accumulator {
     }
 
   private:
-    // The digit at p, 0 when it is touched for the first time.
+    // The digit at p; 0 at the first use of p.
     [[nodiscard]] constexpr std::int64_t at(int p) noexcept {
         const std::uint64_t bit = std::uint64_t{1} << (p % 64);
         std::uint64_t& word = touched_[p / 64];

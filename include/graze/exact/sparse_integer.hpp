@@ -1,4 +1,4 @@
-// Integers with few non-zero digits: what doubles whose exponents lie far apart are when lifted to one scale.
+// Integers with few non-zero digits. Doubles with exponents that are far apart become such integers on a common scale.
 #pragma once
 
 #include <graze/exact/integer.hpp>
@@ -12,10 +12,10 @@ namespace graze::inline v0_1 {
 template <int N, class T>
 struct vec;
 
-// An integer x with |x| < 2^Bits as Σ digit_i 2^(64 position_i), the digits in [-2^63, 2^63), zero digits left out. A
-// carry is one more digit and does not run through zeros, so that 2^2000 - 1 has two digits. The sign is that of the
-// highest digit, since all below it amount to less than its unit. Same widths as integer<Bits>; never allocates. The
-// cost of a product is that of its non-zero digits.
+// An integer x with |x| < 2^Bits as Σ digit_i 2^(64 position_i), with digits in [-2^63, 2^63) and without zero digits.
+// A carry is one more digit and does not run through zeros, so 2^2000 - 1 has two digits. The sign is that of the
+// highest digit, since all digits below it amount to less than its unit. Widths are those of integer<Bits>. It never
+// allocates. The cost of a product depends only on the non-zero digits.
 template <int Bits>
 class sparse_integer {
   public:
@@ -30,11 +30,11 @@ class sparse_integer {
         count_ = detail::copy_digits(x.digits(), output());
     }
 
-    // significand · 2^shift, of which the caller knows that it fits; 0 <= shift.
+    // significand · 2^shift, shift >= 0. The caller knows that it fits.
     [[nodiscard]] static constexpr sparse_integer from_shifted(std::int64_t significand, int shift) noexcept {
         sparse_integer r;
         const int word = shift / 64;
-        const int bit = shift % 64; // 2^63 is not a digit, so that the power is taken in two factors
+        const int bit = shift % 64; // 2^63 is not a digit, so the power is split into two factors
         const auto half = detail::multiply_add_balanced(significand, std::int64_t{1} << bit / 2, 0, 0);
         const auto low = detail::multiply_add_balanced(half.low, std::int64_t{1} << (bit - bit / 2), 0, 0);
         r.append(word, low.low);
@@ -47,7 +47,7 @@ class sparse_integer {
     [[nodiscard]] constexpr std::int64_t digit(int i) const noexcept { return digit_[i]; }
     [[nodiscard]] constexpr int sign() const noexcept { return count_ == 0 ? 0 : digit_[count_ - 1] < 0 ? -1 : 1; }
 
-    // Adds a digit above all others; a zero is left out.
+    // Appends a digit above all others. A zero is omitted.
     constexpr void append(int position, std::int64_t digit) noexcept {
         if (digit != 0) {
             position_[count_] = static_cast<std::int16_t>(position);
@@ -60,7 +60,7 @@ class sparse_integer {
 
     [[nodiscard]] constexpr detail::sparse_digits digits() const noexcept { return {count_, position_, digit_}; }
 
-    // x + factor·y, and what fill(accumulator) adds up, of which the caller knows that it fits; for the arithmetic
+    // x + factor·y, and the sum that fill(accumulator) adds up. The caller knows that they fit. For the arithmetic
     // below.
     [[nodiscard]] static constexpr sparse_integer sum_of(const detail::sparse_digits& x, const detail::sparse_digits& y,
                                                          int factor) noexcept {
@@ -83,7 +83,7 @@ class sparse_integer {
   private:
     [[nodiscard]] constexpr detail::sparse_output output() noexcept { return {0, position_, digit_}; }
 
-    // In a constant expression what is copied has a value.
+    // A constant expression may only copy initialised digits.
     constexpr void settle() noexcept {
         if (std::is_constant_evaluated()) {
             for (int i = 0; i < capacity; ++i) {

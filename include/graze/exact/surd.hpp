@@ -1,10 +1,10 @@
-// The one rounding routine: (p + q√d)/r, in which form every time, position, normal and velocity comes, to the nearest
-// float or double, downward or upward.
+// The one rounding routine: rounds (p + q√d)/r to the nearest float or double, downward or upward. Every time,
+// position, normal and velocity has this form.
 //
-// An estimate of 64 bits, with its bound, tells where the value lies among the format's numbers and the middles
-// between them, in all cases but a few per cent. There the exact sign of (p - m r) + q√d at the one boundary m in
-// question decides, and zero is a tie. Nothing is rounded twice. Integers alone are used and the result is put together
-// from bits: no rounding mode, flush-to-zero or compiler flag has a part in it.
+// An estimate of 64 bits, with its bound, usually locates the value among the format's boundaries: its numbers and the
+// middles between them. In the remaining few per cent of cases, the exact sign of (p - m r) + q√d at the one boundary m
+// in question decides, and zero is a tie. Nothing is rounded twice. Only integers are used, and the result is assembled
+// from bits: it does not depend on the rounding mode, on flush-to-zero or on compiler flags.
 #pragma once
 
 #include <graze/exact/round_leading.hpp>
@@ -29,22 +29,23 @@ struct surd_integers<sparse_integer<Bits>> {
 
 } // namespace detail
 
-// What holds p, q, d and r where a pair's lengths and velocities are of type I: their formulas have up to nine factors
-// (an edge's velocities). One type for all of them keeps programs small.
+// The integer type of p, q, d and r if a pair's lengths and velocities are of type I. Their formulas have up to nine
+// factors (an edge's velocities). One type for all of them keeps programs small.
 template <class I>
 using surd_integer = typename detail::surd_integers<I>::type;
 
 namespace detail {
 
-// The scale of a value over that of a boundary, which is in [-1075, 971], or the reverse: times have scales up to
-// 2^2098 (lengths up to 2^1023 over velocities from 2^-1074 on), and lengths of flights down to 2^-3119.
+// The largest quotient, in bits, of the scales of a value and a boundary, either way. The exponent of a boundary is in
+// [-1075, 971]. Times have scales up to 2^2098 (lengths up to 2^1023 over velocities from 2^-1074 on), lengths of
+// flights down to 2^-3119.
 inline constexpr int largest_shift = 3119 + 971;
 
 template <int Bits>
 [[nodiscard]] constexpr const sparse_integer<Bits>& to_sparse(const sparse_integer<Bits>& x) noexcept {
     return x;
 }
-// Balanced digits, one more than limbs where the highest one carries.
+// Balanced digits; one more than there are limbs if the highest one carries.
 template <int Bits>
 [[nodiscard]] constexpr sparse_integer<Bits> to_sparse(const integer<Bits>& x) noexcept {
     sparse_integer<Bits> r;
@@ -57,7 +58,7 @@ template <int Bits>
     return r;
 }
 
-// The sign of |p + q√d| 2^scale - m r 2^exponent, for p + q√d of the sign given.
+// The sign of |p + q√d| 2^scale - m r 2^exponent, given the sign of p + q√d.
 template <int Bits>
 [[nodiscard]] constexpr int against_boundary(const sparse_integer<Bits>& p, const sparse_integer<Bits>& q,
                                              const sparse_integer<Bits>& d, const sparse_integer<Bits>& r,
@@ -69,14 +70,14 @@ template <int Bits>
     return sign_of_root_sum(p * unit - r * boundary, q * unit, d);
 }
 
-// The same of integers of any kind that Z holds.
+// The same for any integer type Z.
 template <class Z>
 [[nodiscard, gnu::noinline]] constexpr int against_boundary(const Z& p, const Z& q, const Z& d, const Z& r,
                                                             bool negative, int scale, std::uint64_t m, int exponent) {
     return against_boundary(to_sparse(p), to_sparse(q), to_sparse(d), to_sparse(r), negative, scale, m, exponent);
 }
 
-// p + q√d where p and q√d cancel: (p² - q²d)/(p - q√d), the sum of whose denominator does not.
+// p + q√d where p and q√d cancel, as (p² - q²d)/(p - q√d), whose denominator does not cancel.
 template <int Bits>
 [[nodiscard]] constexpr leading estimate_by_norm(const sparse_integer<Bits>& p, const sparse_integer<Bits>& q,
                                                  const sparse_integer<Bits>& d, leading first, leading second) {
@@ -88,7 +89,7 @@ template <int Bits>
 
 } // namespace detail
 
-// d >= 0 with an estimate of its root, for all numbers of one Q(√d). Z: a surd_integer.
+// d >= 0 with an estimate of its root, for all numbers of one Q(√d). Z is a surd_integer.
 template <class Z>
 struct radicand {
     Z value;
@@ -100,7 +101,7 @@ struct radicand {
 
 namespace detail {
 
-// (p + q√d)/r · 2^scale rounded, in all cases.
+// (p + q√d)/r · 2^scale rounded, whatever the leading bits leave open.
 template <class T, class Z>
 [[nodiscard, gnu::noinline]] constexpr T round_by_sign(const Z& p, const Z& q, const radicand<Z>& d, const Z& r,
                                                        int scale, rounding mode) {
@@ -122,8 +123,8 @@ template <class T, class Z>
 
 } // namespace detail
 
-// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, -3119 <= scale <= 2098; p, q and r of any width up to
-// Z's. An exact zero gives +0.
+// (p + q√d)/r · 2^scale rounded to T, float or double. r > 0, -3119 <= scale <= 2098; p, q and r are of any width up to
+// that of Z. An exact zero gives +0.
 template <class T, class P, class Q, class Z, class R>
 [[nodiscard]] constexpr T round_to(const P& p, const Q& q, const radicand<Z>& d, const R& r, int scale,
                                    rounding mode = rounding::nearest) {
@@ -134,8 +135,8 @@ template <class T, class P, class Q, class Z, class R>
     return detail::round_by_sign<T, Z>(p, q, d, r, scale, mode);
 }
 
-// The same for p and q√d of different signs, where norm, (p² - q²d)/r, is known: it is norm/(p - q√d), which cancels
-// nothing.
+// The same for p and q√d of different signs, if norm = (p² - q²d)/r is known: the value is norm/(p - q√d), in which
+// nothing cancels.
 template <class T, class P, class Q, class Z, class R, class C>
 [[nodiscard]] constexpr T round_to_by_norm(const P& p, const Q& q, const radicand<Z>& d, const R& r, const C& norm,
                                            int scale, rounding mode) {
