@@ -14,7 +14,8 @@ namespace graze::inline v0_1 {
 // terms.
 template <class F, class B>
 [[nodiscard]] consteval double filter_constant(F f, const B& bounds) {
-    return f(bounds).error * error_bound::unit * error_bound_slack;
+    const auto bound = f(bounds);
+    return bound.error * bound.unit * bound.slack;
 }
 
 template <class F, class B>
