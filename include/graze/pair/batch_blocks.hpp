@@ -1,0 +1,115 @@
+// A batch, block by block: in lanes first, then one by one what they leave open.
+#pragma once
+
+#include <graze/pair/batch_source.hpp>
+#include <graze/pair/open_pairs.hpp>
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace graze::inline v0_1::detail {
+
+// A: many balls; B: as many, or one thing.
+template <class A, class B>
+concept batch_of = requires {
+    source_for<A>::dimension;
+    typename source_for<B>;
+};
+
+// f(); what it throws of bad input is thrown with the index of the pair.
+template <class F>
+void of_pair(std::size_t i, const F& f) {
+#if defined(__cpp_exceptions)
+    try {
+        f();
+    } catch (const std::domain_error& error) {
+        throw std::domain_error("pair " + std::to_string(i) + ": " + error.what());
+    }
+#else
+    static_cast<void>(i);
+    f();
+#endif
+}
+
+template <class A, class B>
+void require_size(const A& a, const B& b, std::size_t answers) {
+    bool fits = a.size() == answers;
+    if constexpr (requires { b.size(); }) {
+        fits = fits && b.size() == answers;
+    }
+    if (!fits) {
+        throw std::invalid_argument("batch: what is given and what is to be written differ in size");
+    }
+}
+
+// The pairs of one block from `from` on, as many as whole registers hold; the rest are left open. Not inlined: what is
+// in memory is what is meant, whatever expression it came from.
+template <class Question, class V, class A, class B>
+[[gnu::noinline]] void ask_lanes(const A& a, const B& b, std::size_t from, std::size_t count,
+                                 typename Question::answer* answers, open_pairs& left) noexcept {
+    constexpr std::size_t step = V::lanes;
+    std::size_t i = 0;
+    for (; i + step <= count; i += step) {
+        const ball<A::dimension, V> x = a.template lanes_from<V>(from + i);
+        const auto found = [&] {
+            if constexpr (requires { b.template lanes_from<V>(from); }) {
+                return Question::lanes(x, b.template lanes_from<V>(from + i));
+            } else {
+                return Question::lanes(x, b.at(0));
+            }
+        }();
+        found.store(answers + from + i);
+        left.add(i, found.open);
+    }
+    left.add_rest(i, count);
+}
+
+// Whether lanes of V can be asked.
+template <class Question, class V, class A, class B>
+inline constexpr bool has_lanes_of = [] {
+    using X = ball<A::dimension, V>;
+    if constexpr (requires(const B& b) { b.template lanes_from<V>(0); }) {
+        return requires(const X& x) { Question::lanes(x, x); };
+    } else {
+        return requires(const X& x, const B& b) { Question::lanes(x, b.at(0)); };
+    }
+}();
+template <class Question, class A, class B>
+inline constexpr bool has_lanes = [] {
+    if constexpr (std::is_floating_point_v<typename A::scalar> && register_bytes > 0) {
+        return has_lanes_of<Question, native_pack<typename A::scalar>, A, B>;
+    } else {
+        return false;
+    }
+}();
+
+template <class Question, class A, class B>
+[[gnu::noinline]] void settle(const A& a, const B& b, std::size_t from, const open_pairs& left,
+                              typename Question::answer* answers) {
+    left.each([&](std::size_t k) {
+        const std::size_t i = from + k;
+        of_pair(i, [&] { answers[i] = Question::further(a.at(i), b.at(i)); });
+    });
+}
+
+template <class Question, class A, class B>
+void decide_all(const A& a, const B& b, std::span<typename Question::answer> answers) {
+    require_size(a, b, answers.size());
+    if constexpr (has_lanes<Question, A, B>) {
+        for (std::size_t from = 0; from < answers.size(); from += block_size) {
+            const std::size_t count = std::min(block_size, answers.size() - from);
+            open_pairs left;
+            ask_lanes<Question, native_pack<typename A::scalar>>(a, b, from, count, answers.data(), left);
+            settle<Question>(a, b, from, left, answers.data());
+        }
+    } else {
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            of_pair(i, [&] { answers[i] = Question::one(a.at(i), b.at(i)); });
+        }
+    }
+}
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,77 @@
+// What becomes of many pairs, asked at once.
+#pragma once
+
+#include <graze/pair/batch_blocks.hpp>
+#include <graze/predicate/lane_balls.hpp>
+#include <graze/predicate/lane_planes.hpp>
+#include <graze/predicate/overlaps_of_shapes.hpp>
+
+#include <span>
+
+namespace graze::inline v0_1 {
+
+namespace detail {
+
+struct batch_classify {
+    using answer = encounter;
+    template <class X, class Y>
+    [[nodiscard]] static encounter one(const X& x, const Y& y) {
+        return graze::classify(x, y);
+    }
+    // What lanes leave open. Doubles have been through the filter, floats through one in float.
+    template <class X, class Y>
+    [[nodiscard]] static encounter further(const X& x, const Y& y) {
+        return graze::classify(x, y);
+    }
+    template <int N>
+    [[nodiscard]] static encounter further(const ball<N, double>& x, const ball<N, double>& y) {
+        return classify_further(x, y).what;
+    }
+    template <int N, class V, class Y>
+    requires requires(const ball<N, V>& x, const Y& y) { classify_lanes(x, y); }
+    [[nodiscard, gnu::always_inline]] static lane_encounters<V> lanes(const ball<N, V>& x, const Y& y) noexcept {
+        return classify_lanes(x, y);
+    }
+};
+
+struct batch_overlaps {
+    using answer = bool;
+    template <class X, class Y>
+    [[nodiscard]] static bool one(const X& x, const Y& y) {
+        return graze::overlaps(x, y);
+    }
+    template <class X, class Y>
+    [[nodiscard]] static bool further(const X& x, const Y& y) {
+        return graze::overlaps(x, y);
+    }
+    template <int N, class V, class Y>
+    requires requires(const ball<N, V>& x, const Y& y) { overlaps_lanes(x, y); }
+    [[nodiscard, gnu::always_inline]] static lane_overlaps<V> lanes(const ball<N, V>& x, const Y& y) noexcept {
+        return overlaps_lanes(x, y);
+    }
+};
+
+} // namespace detail
+
+namespace batch {
+
+// What becomes of each ball of a and the ball of the same index of b, or the one ball, plane or wall b: what[i] is
+// classify(a[i], b[i]), bit for bit. a: a contiguous range of balls, or columns; so is b where there is one for each
+// ball of a. Throws std::invalid_argument, before anything is written, if sizes differ; and what classify throws, the
+// message beginning with "pair " and the first index of which the input is bad: then all answers before that are
+// written, and any of those after it may be. Calls share nothing: parts of a batch may be asked by several threads.
+template <class A, class B>
+requires detail::batch_of<A, B>
+void classify(const A& a, const B& b, std::span<encounter> what) {
+    detail::decide_all<detail::batch_classify>(detail::source_of(a), detail::source_of(b), what);
+}
+
+// Whether each is inside the other: inside[i] is overlaps(a[i], b[i]). As classify else.
+template <class A, class B>
+requires detail::batch_of<A, B>
+void overlaps(const A& a, const B& b, std::span<bool> inside) {
+    detail::decide_all<detail::batch_overlaps>(detail::source_of(a), detail::source_of(b), inside);
+}
+
+} // namespace batch
+} // namespace graze::inline v0_1

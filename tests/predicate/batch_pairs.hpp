@@ -1,0 +1,123 @@
+// Pairs for the tests of batches: generic ones, hard ones, and both over the whole range of exponents.
+#pragma once
+
+#include <families/families.hpp>
+
+#include <graze/batch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace batches {
+
+// Balls in both of the ways that a batch takes.
+template <int N, class T>
+class many_balls {
+  public:
+    void add(const graze::ball<N, T>& b) {
+        all_.push_back(b);
+        for (int k = 0; k < N; ++k) {
+            number_[static_cast<std::size_t>(k)].push_back(b.position[k]);
+            number_[static_cast<std::size_t>(N + k)].push_back(b.velocity[k]);
+        }
+        number_[2 * N].push_back(b.radius);
+    }
+    [[nodiscard]] const std::vector<graze::ball<N, T>>& all() const { return all_; }
+    [[nodiscard]] graze::columns<N, T> columns() const {
+        graze::columns<N, T> c{};
+        for (std::size_t k = 0; k < N; ++k) {
+            c.position[k] = number_[k].data();
+            c.velocity[k] = number_[N + k].data();
+        }
+        c.radius = number_[2 * N].data();
+        c.size = all_.size();
+        return c;
+    }
+
+  private:
+    std::vector<graze::ball<N, T>> all_;
+    std::array<std::vector<T>, 2 * N + 1> number_;
+};
+
+template <int N, class T>
+struct pairs {
+    many_balls<N, T> a, b;
+};
+
+// In T, lengths and velocities times powers of two; a float may overflow, and is then bad input.
+template <int N, class T>
+[[nodiscard]] graze::ball<N, T> scaled(const graze::ball<N, double>& x, int length, int velocity) {
+    const auto vector = [](const graze::vec<N, double>& v, int power) {
+        return graze::make_vec<N>([&](int k) { return static_cast<T>(std::ldexp(v[k], power)); });
+    };
+    return {vector(x.position, length), vector(x.velocity, velocity), static_cast<T>(std::ldexp(x.radius, length))};
+}
+
+template <int N, class T>
+[[nodiscard]] bool is_good(const graze::ball<N, T>& b) {
+    bool good = std::isfinite(b.radius);
+    for (int k = 0; k < N; ++k) {
+        good = good && std::isfinite(b.position[k]) && std::isfinite(b.velocity[k]);
+    }
+    return good;
+}
+
+// Which units the pairs are in.
+enum class units { own, any };
+
+// Two balls out of every family of balls, in turn; in `share` of 64 cases generic ones instead.
+template <int N, class T>
+[[nodiscard]] pairs<N, T> draw(std::uint64_t seed, std::size_t count, unsigned generic_in_64, units in) {
+    constexpr int spread = sizeof(T) == 4 ? 60 : 500;
+    pairs<N, T> r;
+    for (std::uint64_t i = 0; r.a.all().size() < count; ++i) {
+        families::random random(seed, i);
+        const auto& family = random.below(64) < generic_in_64
+                                 ? families::all_families[0]
+                                 : families::all_families[random.below(families::all_families.size())];
+        const auto drawn = family.draw<N>(seed, i);
+        if (drawn.kind != families::pair_kind::ball_ball) {
+            continue;
+        }
+        const auto power = [&] { return in == units::own ? 0 : static_cast<int>(random.in(-spread, spread)); };
+        const int length = power(), velocity = power();
+        const auto a = scaled<N, T>(drawn.a, length, velocity), b = scaled<N, T>(drawn.b, length, velocity);
+        if (is_good(a) && is_good(b)) {
+            r.a.add(a);
+            r.b.add(b);
+        }
+    }
+    return r;
+}
+
+// A plane or a wall, and balls of which the first is the family's and each other has one number that is beside by a few
+// units in the last place, or is another ball.
+template <int N>
+struct balls_and_shape {
+    families::pair_of_doubles<N> drawn;
+    many_balls<N, double> balls;
+};
+template <int N>
+[[nodiscard]] balls_and_shape<N> beside(const families::pair_of_doubles<N>& drawn, std::uint64_t seed,
+                                        std::size_t count) {
+    balls_and_shape<N> r{drawn, {}};
+    families::random random(seed);
+    for (std::size_t i = 0; i < count; ++i) {
+        auto b = drawn.a;
+        if (i != 0) {
+            families::nudge_one(random, b);
+            if (random.one_in(4)) {
+                for (double& u : b.velocity.component) {
+                    u = -u;
+                }
+            }
+        }
+        r.balls.add(b);
+    }
+    return r;
+}
+
+} // namespace batches
