@@ -1,4 +1,4 @@
-// What 32.32 fixed point, a number type of one's own, loses on a pool table.
+// What a user's own number type, 32.32 fixed point, loses on a pool table.
 #include "fixed_point.hpp"
 
 #include <graze/graze.hpp>

@@ -1,5 +1,5 @@
-// A number type of one's own: 32.32 fixed point, as games and machines without a floating-point unit use it. Ten lines
-// of number_traits make it a graze::number.
+// A user's own number type: 32.32 fixed point, as used in games and on machines without a floating-point unit. Ten
+// lines of number_traits make it a graze::number.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <stdexcept>
 
-// Whole multiples of 2^-32 below 2^31. Sums are exact; products, quotients and roots are rounded down to the grid;
-// what does not fit throws.
+// Whole multiples of 2^-32 below 2^31. Sums are exact; products, quotients and roots are rounded down to the grid; a
+// result that does not fit throws.
 class fixed_point {
   public:
     fixed_point() = default;
@@ -42,7 +42,7 @@ class fixed_point {
         return x;
     }
 
-    // Bit by bit, of a value that is not negative.
+    // Bit by bit, for x >= 0.
     static constexpr fixed_point square_root(fixed_point x) {
         const wide square = wide{x.raw_} << 32;
         wide root = 0;
@@ -71,7 +71,7 @@ template <>
 struct graze::number_traits<fixed_point> {
     static constexpr const char* name = "fixed 32.32";
     static constexpr bool is_exact = false;
-    static constexpr int digits = 0; // the error is absolute, so there is no number of significant ones
+    static constexpr int digits = 0; // errors are absolute, so there is no number of significant digits
     static constexpr fixed_point sqrt(fixed_point x) { return fixed_point::square_root(x); }
 };
 static_assert(graze::field_number<fixed_point> && graze::has_sqrt<fixed_point>);

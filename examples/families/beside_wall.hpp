@@ -1,4 +1,4 @@
-// A ball and a wall, put together from integers.
+// A ball and a wall, assembled from integers.
 #pragma once
 
 #include "pair.hpp"

@@ -1,4 +1,4 @@
-// Balls that touch, or almost: the sign and the size of c = |Δx|² - R² are what there is to get right.
+// Balls that touch, or almost touch. The difficulty is the sign and the size of c = |Δx|² - R².
 #pragma once
 
 #include "passage.hpp"
@@ -13,8 +13,8 @@ template <int N>
     return (along < 0) == (sign < 0) ? u : times<N>(-1, u);
 }
 
-// The gap between the balls is 2^-k R to within a factor of 2, k from 4 to 56, so that c is lost when it is rounded.
-// Half of the pairs close it straight, three in eight so much sideways that they may miss, one in eight parts.
+// The gap between the balls is 2^-k R to within a factor of 2, k from 4 to 56, so that rounding loses c. Half of the
+// pairs close the gap straight, three in eight move so much sideways that they may miss, one in eight parts.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> near_contact(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -38,7 +38,7 @@ template <int N>
     return pair;
 }
 
-// |Δx| = R exactly; at every fourth index one number of a ball is one unit in the last place beside. The balls approach
+// |Δx| = R exactly; at every fourth index one number of a ball is off by one unit in the last place. The balls approach
 // (a hit at τ = 0), part, or slide along each other (h = 0).
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> touching(std::uint64_t seed, std::uint64_t index) {
@@ -53,9 +53,9 @@ template <int N>
     return pair;
 }
 
-// What rounding leaves after a bounce: each component of Δx up to one unit in the last place away from a contact, the
-// balls parting. About half overlap, which is no collision. One pair in four parts so slowly, after all but a graze,
-// that rounding may turn its velocity back.
+// Pairs as rounding leaves them after a bounce: each component of Δx is up to one unit in the last place away from a
+// contact, and the balls part. About half of the pairs overlap, which is no collision. One pair in four parts so
+// slowly, after almost a graze, that rounding may reverse its velocity.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> after_bounce(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

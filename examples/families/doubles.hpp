@@ -1,5 +1,5 @@
-// Doubles put together from integers, without a floating-point operation: no compiler flag, rounding mode or
-// flush-to-zero changes them.
+// Doubles assembled from integers, without a floating-point operation: no compiler flag, rounding mode or flush-to-zero
+// changes them.
 #pragma once
 
 #include <bit>

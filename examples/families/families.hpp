@@ -1,7 +1,7 @@
-// Families of hard pairs, as doubles: what collision code gets wrong, by the cause.
+// Families of hard pairs, as doubles: the pairs that collision code gets wrong, by cause.
 //
-// Only integers are random and no floating-point operation is done, so that a seed gives the same pairs on every
-// platform, in any rounding mode and under any compiler flag. Needs the standard library and graze's shapes alone.
+// Only integers are random, and there is no floating-point operation. So a seed gives the same pairs on every platform,
+// in any rounding mode and with any compiler flags. Needs only the standard library and graze's shapes.
 #pragma once
 
 #include "contact_families.hpp"
@@ -76,7 +76,7 @@ inline constexpr std::array all_families{
            masses<3>},
 };
 
-// Null if there is none of that name.
+// Null if no family has that name.
 [[nodiscard]] constexpr const family* find_family(std::string_view name) {
     for (const family& f : all_families) {
         if (f.name == name) {

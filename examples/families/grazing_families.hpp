@@ -1,4 +1,4 @@
-// Balls that just touch or just don't: the sign of the discriminant is all there is to get right.
+// Balls that just touch or just don't. The difficulty is the sign of the discriminant.
 #pragma once
 
 #include "passage.hpp"
@@ -20,8 +20,8 @@ template <int N>
     return pair;
 }
 
-// Even indices: m = R, so that D = 0, exactly. Odd ones: the same with one number of a ball one unit in the last place
-// beside. Any error of D decides wrongly.
+// Even indices: m = R, so that D = 0 exactly. Odd indices: the same with one number of a ball off by one unit in the
+// last place. Any error of D makes the decision wrong.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> tangent(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -58,8 +58,9 @@ template <int N>
     return pair;
 }
 
-// The radii are 2^-k of the distance, k from 49 to 400, below the last bit of the positions along the path; one pair in
-// eight has points for balls. The path is parallel to a coordinate axis or plane, where the offset can be that small.
+// The radii are 2^-k of the distance, k from 49 to 400, below the last bit of the positions along the path. In one pair
+// of eight the balls are points. The path is parallel to a coordinate axis or plane, where the offset can be that
+// small.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> tiny_radii(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -79,9 +80,9 @@ template <int N>
     return pair;
 }
 
-// r_a + r_b is not a double, and the nearest one is the distance that R has to be compared with: the least distance of
-// the path (even indices) or the distance now (odd ones). Adding the radii first turns a hit or a miss into a graze, an
-// overlap or a gap into a contact.
+// r_a + r_b is not a double, and the double nearest to it is the distance with which R must be compared: the least
+// distance of the path (even indices) or the distance at t = 0 (odd indices). Adding the radii first turns a hit or a
+// miss into a graze, and an overlap or a gap into a touch.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> rounded_radius_sum(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -103,10 +104,9 @@ template <int N>
     return balls<N>(r, m);
 }
 
-// Even indices: grazes to within 2^-k, k from 40 to 56, of which the differences x_a - x_b and u_a - u_b mostly have
-// more than 53 bits, so that rounding them moves the path. Odd ones: positions and velocities with a common part 2^k, k
-// from 1 to 45, times as large as their differences: what is computed from a position or a velocity itself loses k
-// bits.
+// Even indices: grazes to within 2^-k, k from 40 to 56, whose differences x_a - x_b and u_a - u_b mostly have more than
+// 53 bits, so that rounding them moves the path. Odd indices: positions and velocities with a common part 2^k, k from 1
+// to 45, times as large as their differences. A result computed from a position or a velocity itself loses k bits.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> common_part(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

@@ -1,4 +1,4 @@
-// A pair as doubles, and how one is put together from integers.
+// A pair as doubles, and its assembly from integers.
 #pragma once
 
 #include "doubles.hpp"
@@ -50,11 +50,12 @@ struct relative {
     int finer = 0;
     int length = -50;
     int velocity = -50;
-    int position_bits = 51; // of b's position and
-    int velocity_bits = 51; // velocity, which are drawn at random
+    int position_bits = 51; // of b's random position
+    int velocity_bits = 51; // and of its random velocity
 };
 
-// y random with x = y + difference, both doubles: what is too long for one of them is left to y.
+// A random y such that x = y + difference and y are both doubles. If the bits do not fit into one of them, y takes
+// them.
 [[nodiscard]] constexpr std::int64_t random_subtrahend(random& r, std::int64_t difference, int bits) {
     const std::int64_t magnitude = difference < 0 ? -difference : difference;
     const int width = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
@@ -97,14 +98,14 @@ template <int N>
     return pair;
 }
 
-// x one unit in the last place beside, larger or smaller; a zero stays.
+// Moves x by one unit in the last place, up or down in magnitude; a zero stays.
 constexpr void nudge(random& r, double& x) {
     if (x != 0.0) {
         x = beside(x, r.one_in(2) ? 1 : -1);
     }
 }
 
-// One number of ball a, beside.
+// Moves one number of ball a by one unit in the last place.
 template <int N>
 constexpr void nudge_one(random& r, graze::ball<N, double>& a) {
     const auto which = static_cast<int>(r.below(2 * N + 1));

@@ -1,4 +1,4 @@
-// Balls that pass each other at a distance known exactly.
+// Balls that pass each other at an exactly known distance.
 #pragma once
 
 #include "pair.hpp"

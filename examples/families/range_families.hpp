@@ -1,11 +1,11 @@
-// Balls as they come, and over the whole range of a double.
+// Ordinary balls, and balls over the whole range of a double.
 #pragma once
 
 #include "pair.hpp"
 
 namespace families {
 
-// Of magnitude below 1, all 53 bits random, as a number and in units of 2^-50, rounded down.
+// A random number of magnitude below 1 with 53 random bits: as a double, and in units of 2^-50, rounded down.
 struct coordinate {
     double value;
     std::int64_t units;
@@ -18,8 +18,8 @@ struct coordinate {
     return {make_double(signed_one, -53 - smaller), signed_one >> (3 + smaller)};
 }
 
-// Positions and velocities random in [-1, 1], radii in [0, 1/2]: nothing is hard but the rounding. At odd indices a's
-// velocity is aimed at b, more or less.
+// Random positions and velocities in [-1, 1] and radii in [0, 1/2]: the only difficulty is the rounding. At odd indices
+// a's velocity is aimed roughly at b.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> generic(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -40,7 +40,7 @@ template <int N>
     return pair;
 }
 
-// A hit, surely: the velocity points at the other ball to within less than the radii.
+// Certainly a hit: the velocity points at the other ball to within less than the radii.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> head_on(random& r) {
     integers<N> dx = random_vector<N>(r, 50);
@@ -54,8 +54,8 @@ template <int N>
     return balls<N>(r, {dx, du, r.in(size / 4, size / 2)});
 }
 
-// Masses from 2^-50 to 2^50, and at every fourth index an infinite one: the velocities after the impulse lose the small
-// change of the heavy ball, and types without an infinity must take masses as their inverses.
+// Masses from 2^-50 to 2^50, and at every fourth index an infinite one. The velocities after the collision lose the
+// small change of the heavy ball, and types without an infinity must take the inverses of masses.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> masses(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -88,8 +88,8 @@ template <int N>
     return pair;
 }
 
-// Lengths, and at odd indices velocities too, that are subnormal: at most 2^51 units of the smallest double, so that
-// every product vanishes. Flushing them to zero takes the balls away.
+// Subnormal lengths, and at odd indices subnormal velocities too: at most 2^51 units of the smallest double, so that
+// every product vanishes. Flushing subnormals to zero removes the balls.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> subnormal(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

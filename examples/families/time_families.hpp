@@ -1,4 +1,4 @@
-// Balls that surely collide, or almost surely: when they do is what there is to get right.
+// Balls that certainly, or almost certainly, collide. The difficulty is the time.
 #pragma once
 
 #include "passage.hpp"
@@ -27,7 +27,7 @@ template <int N>
 }
 
 // Pairs 2i and 2i + 1 collide at exactly equal times: one is the other with its axes permuted and reflected, or with
-// its balls exchanged. For every fourth i the second has a radius one unit in the last place beside.
+// its balls exchanged. For every fourth i a radius of the second is off by one unit in the last place.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> equal_times(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index / 2);
@@ -56,8 +56,8 @@ template <int N>
     return pair;
 }
 
-// τ is rational. By index modulo 3: it lies exactly between two doubles; it is a double; or it lay exactly between, but
-// a radius is one unit in the last place beside. No precision short of exact tells the first from the last.
+// τ is rational. By index modulo 3: it is exactly between two doubles; it is a double; or it would be exactly between
+// two doubles, but a radius is off by one unit in the last place. Only exact arithmetic tells the first from the last.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> ties(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

@@ -8,7 +8,7 @@
 namespace families {
 
 // A random wall, or at every fourth index a random plane, and a ball whose velocity is, at every other index, aimed at
-// a point of it: nothing is hard but the rounding.
+// a point of it. The only difficulty is the rounding.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> generic_wall(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -80,9 +80,9 @@ template <int N>
     return pair;
 }
 
-// The ball first touches the wall on the border of its face and an edge (in the plane, of its segment and an end), or,
-// in space at every other pair of indices, on that of an edge and a corner. At odd indices one number of the ball is
-// one unit in the last place beside.
+// The ball first touches the wall on the border between its face and an edge (in the plane, between the segment and an
+// end) or, in space at every other pair of indices, between an edge and a corner. At odd indices one number of the ball
+// is off by one unit in the last place.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> borders(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

@@ -1,4 +1,4 @@
-// The run in graze's doubles, compiled once for the examples and the tests: it takes half a minute a dimension.
+// The run in graze's doubles, compiled once for the examples and the tests: each dimension takes half a minute.
 #pragma once
 
 #include <graze/scene/exact_mechanics.hpp>

@@ -1,4 +1,4 @@
-// What the two files of exact runs are made of.
+// The common definition of the two files of exact runs.
 #pragma once
 
 #include "exact_runs.hpp"

@@ -1,4 +1,4 @@
-// Watches a run of balls in a box without its help: did anyone pass through anyone, or bounce off nothing?
+// Checks a run of balls in a box, independently of it: did a ball pass through another one, or bounce off nothing?
 #pragma once
 
 #include <graze/scene/outcome.hpp>
@@ -8,14 +8,14 @@
 #include <stdexcept>
 #include <vector>
 
-// Every flight that ends is held against all others while both were on their way, so that every pair is looked at all
-// the time, in plain doubles and O(balls) an event.
+// Every flight that ends is compared with all others for as long as both lasted, so every pair is checked at all times,
+// in plain doubles, at a cost of O(balls) for each event.
 //
-// What rounding explains, u = 2^-53, lengths below L, speeds below V, until time t: an event rounds its time, which
-// moves a ball by at most u V t, and each coordinate of its position, by at most u L. So two balls that leave a contact
-// are at most 2 (√N u L + u V t) deep in each other, each may be carried as far again by an event with a third ball,
-// and those that approach after that are resolved at once: 4 √N u (L + V t) in all. The doubles of this check are wrong
-// by less than ten roundings of numbers below L + V t: 16 √N u (L + V t) holds both.
+// What rounding explains, for u = 2^-53, lengths below L and speeds below V, until time t: an event rounds its time,
+// which moves a ball by at most u V t, and each coordinate of its position, by at most u L. So two balls that leave a
+// contact are at most 2 (√N u L + u V t) deep in each other. An event with a third ball may carry each as far again,
+// and balls that approach after that are resolved at once: 4 √N u (L + V t) in all. The doubles of this check are wrong
+// by less than ten roundings of numbers below L + V t. 16 √N u (L + V t) covers both.
 template <int N>
 class flight_check {
   public:
@@ -53,8 +53,8 @@ class flight_check {
 
     [[nodiscard]] double deepest() const noexcept { return deepest_; }
     [[nodiscard]] double depth_allowed() const noexcept { return depth_allowed_; }
-    // |E - E₀| / E₀. An event's exact velocities conserve energy; each component, rounded once, changes its square by
-    // at most 2u of itself and so the energy of those who took part by 2^-52 of theirs.
+    // |E - E₀| / E₀. An event's exact velocities conserve energy. Rounding a component once changes its square by at
+    // most 2u of itself, and so the energy of the event's balls by at most 2^-52 of that energy.
     [[nodiscard]] double energy_drift() const {
         double energy = 0;
         for (const auto& f : flights_) {
@@ -84,7 +84,7 @@ class flight_check {
         return graze::dot(at(f, t) - p.point, p.normal) / std::sqrt(graze::squared_norm(p.normal));
     }
 
-    // How near two flights came while both lasted, until now.
+    // The least distance of two flights while both lasted, until now.
     [[nodiscard]] static double least_distance(const flight& f, const flight& g, double now) {
         const double from = std::max(f.since, g.since);
         const auto dx = at(f, from) - at(g, from);

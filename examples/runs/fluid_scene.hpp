@@ -1,4 +1,4 @@
-// A fluid of hard spheres in a cube, made of integers alone, so that it is the same everywhere.
+// A fluid of hard spheres in a cube, generated from integers alone, so that it is the same everywhere.
 #pragma once
 
 #include <graze/scene/scene.hpp>

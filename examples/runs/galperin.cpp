@@ -6,7 +6,7 @@
 
 namespace {
 
-// A light ball at rest between a wall, x = 0, and a heavy ball that comes towards it.
+// A light ball at rest between a wall, x = 0, and a heavy ball that moves towards it.
 std::uint64_t collisions(double mass_ratio) {
     const std::vector<graze::ball<2>> balls = {{{{1, 0}}, {{0, 0}}, 0.125, 1},
                                                {{{2, 0}}, {{-1, 0}}, 0.125, mass_ratio}};

@@ -1,5 +1,5 @@
-// A fluid of 500 hard spheres in a box, checked by code that knows nothing of the library, and the hash of where it
-// ends: the same on every machine, and for every order in which the balls are listed.
+// A fluid of 500 hard spheres in a box, checked by code that is independent of the library; and the hash of its final
+// state, which is the same on every machine and for every order in which the balls are listed.
 #include "exact_runs.hpp"
 #include "flight_check.hpp"
 #include "fluid_scene.hpp"

@@ -1,5 +1,5 @@
-// Newton's cradle: five equal balls that touch. What comes in on one side goes out on the other, one collision after
-// the other, all at one instant.
+// Newton's cradle: five equal balls that touch. A ball that comes in on one side sends one out on the other, through
+// one collision after the other, all at one instant.
 #include "exact_runs.hpp"
 
 #include <iostream>

@@ -1,4 +1,4 @@
-// Billiards that the world knows.
+// Well-known billiards.
 #pragma once
 
 #include "scene_text.hpp"
@@ -39,7 +39,7 @@ namespace scenes {
     return scene.text();
 }
 
-// Five balls in a row that touch, between two planes that send back what arrives, as gravity does in the real one.
+// Five balls in a row that touch, between two planes that send each ball back, as gravity does in a real cradle.
 [[nodiscard]] inline std::string newtons_cradle() {
     scene_text scene(2, "Newton's cradle",
                      "Five equal balls of radius 1/10 that touch in a row, and a sixth that runs into them. Planes at "
@@ -53,8 +53,8 @@ namespace scenes {
     return scene.text();
 }
 
-// Between a wall and a ball 100^n times as heavy that comes in, a ball at rest makes as many collisions as the first n
-// + 1 digits of π say: 3, 31, 314, ... (Galperin 2003).
+// A ball at rest between a wall and an incoming ball 100^n times as heavy: the number of collisions is the first n + 1
+// digits of π: 3, 31, 314, ... (Galperin 2003).
 [[nodiscard]] inline std::string galperin() {
     scene_text scene(2, "Galperin's billiard",
                      "A ball of mass 1 at rest between a wall and a ball of mass 100^2 that comes in: 314 collisions, "

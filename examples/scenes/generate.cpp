@@ -27,9 +27,9 @@ std::int64_t root_above(std::int64_t x, int power) {
     return low;
 }
 
-// The break on a 9-foot table in metres, metres a second and kilograms. The rack's rows are apart by the balls'
-// diameter times √3/2, rounded up to 10^-10 m, so that no two balls overlap: along a row they touch, across rows a
-// tenth of a nanometre is between them.
+// The break on a 9-foot table in metres, metres per second and kilograms. The distance of the rack's rows is the balls'
+// diameter times √3/2, rounded up to 10^-10 m, so that no two balls overlap: along a row they touch; between rows there
+// is a gap of a tenth of a nanometre.
 std::string pool_break() {
     constexpr std::int64_t unit = 10'000'000'000; // 10^-10 m
     constexpr std::int64_t diameter = 571'500'000, length = unit * 254 / 100, width = unit * 127 / 100;
@@ -99,9 +99,9 @@ std::string hard_sphere_fluid() {
     return scene.text();
 }
 
-// Four beams of grains from each end of a corridor of 1 km, so narrow that any two grains that meet head-on pass each
-// other at up to four radii: about 10^8 radii away from each other it takes 8 digits of the velocity to tell a hit from
-// a miss.
+// Four beams of grains from each end of a corridor of 1 km, so narrow that any two grains that fly head-on pass each
+// other at up to four radii. At a distance of about 10^8 radii, it takes 8 digits of the velocity to tell a hit from a
+// miss.
 std::string long_corridor() {
     constexpr std::int64_t micrometre = 1'000'000; // in 10^-12 m
     constexpr std::int64_t metre = 1'000'000 * micrometre;

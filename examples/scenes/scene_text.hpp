@@ -1,4 +1,4 @@
-// Writing a scene as JSON text, its numbers as decimals made from integers: the same bytes on every platform.
+// Writes a scene as JSON text, with decimals made from integers: the same bytes on every platform.
 #pragma once
 
 #include <cstdint>
