@@ -1,4 +1,4 @@
-// A rational number for constant expressions: what scenes are proved in.
+// A rational number for constant expressions, for proofs about scenes.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -10,8 +10,8 @@
 
 namespace graze::proof {
 
-// numerator/denominator in lowest terms, denominator > 0. Exact; what needs more than 63 bits throws, and so does not
-// compile.
+// numerator/denominator in lowest terms, denominator > 0. Exact. A number that needs more than 63 bits throws, and so
+// does not compile.
 class rational {
   public:
     constexpr rational(int value = 0) : numerator_(value) {}

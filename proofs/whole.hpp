@@ -1,4 +1,4 @@
-// Whole numbers of a machine word as a number type, for proofs over many small cases; a constant expression that
+// Whole numbers in a machine word as a number type, for proofs over many small cases. A constant expression that
 // overflows does not compile.
 #pragma once
 

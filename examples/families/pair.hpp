@@ -54,8 +54,8 @@ struct relative {
     int velocity_bits = 51; // and of its random velocity
 };
 
-// A random y such that x = y + difference and y are both doubles. If the bits do not fit into one of them, y takes
-// them.
+// A random y such that y and x = y + difference are both doubles. If x would be too long, y takes the low bits of the
+// difference.
 [[nodiscard]] constexpr std::int64_t random_subtrahend(random& r, std::int64_t difference, int bits) {
     const std::int64_t magnitude = difference < 0 ? -difference : difference;
     const int width = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));

@@ -1,4 +1,4 @@
-// The bits that a formula needs are those that integers deduce, for every formula that a decision runs.
+// For every formula of a decision, bit_width gives the bits that the types of integers deduce.
 #include <graze/exact/integer.hpp>
 #include <graze/formula/exact_in.hpp>
 #include <graze/formula/wall_encounter.hpp>
@@ -88,7 +88,7 @@ static_assert(coefficient_c{}(balls<3>(bit_width::of(30), bit_width::of(30))).bi
 static_assert(halved_of_motion{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 4 * 30 + 10);
 static_assert(discriminant_lagrange{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 4 * 30 + 9);
 
-// int32 coordinates: what classify takes for them.
+// int32 coordinates: the width that classify uses for them.
 static_assert(bits_to_decide<3, variant::halved>({31, 31}) == 134);
 
 // The widths are attained: -1 and 1 at the ends of a 1-bit range differ by 2, which takes two bits.

@@ -44,7 +44,7 @@ constexpr bool norm_by_components() {
 }
 static_assert(norm_by_components<2>() && norm_by_components<3>());
 
-// With as many bits as a type has: the constant is the same but for terms of second order.
+// For types of other numbers of bits, the constant is the same up to terms of second order.
 template <int Digits>
 constexpr double in_bits() {
     using bound = basic_error_bound<Digits>;

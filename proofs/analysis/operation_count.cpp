@@ -1,4 +1,4 @@
-// What formulas cost, counted when compiled.
+// The costs of formulas, counted at compile time.
 #include <graze/analysis/operation_count.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/roots.hpp>
@@ -31,7 +31,7 @@ static_assert(halved == operation_count{.sums = 8, .products = 12});
 static_assert(kahan == operation_count{.sums = 1, .products = 1, .fused = 2});
 static_assert(stable == operation_count{.sums = 1, .quotients = 1, .roots = 1});
 
-// A value used twice is computed once; constants cost nothing but what is done with them.
+// A value used twice is computed once. Constants cost nothing; operations with them do.
 static_assert(operations_of([](const counted_number& x) {
                   const auto y = x * x;
                   return y + y;

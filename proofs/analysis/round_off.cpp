@@ -1,5 +1,5 @@
-// |computed - exact| <= K u M on chosen inputs, by the compiler's own arithmetic: floats against doubles, in which
-// small integers are exact, doubles against integers.
+// |computed - exact| <= K u M on chosen inputs, by the compiler's own arithmetic: floats against doubles, which are
+// exact for small integers; doubles against integers.
 #include <graze/analysis/error_bound.hpp>
 #include <graze/exact/integer.hpp>
 #include <graze/formula/discriminant.hpp>
@@ -21,7 +21,7 @@ struct halved {
     }
 };
 
-// The constant from exact differences, for vectors of norms of at most length and velocity, of error_bound's u = 2^-52.
+// The constant from exact differences, for vectors of norms of at most length and velocity, in error_bound's u = 2^-52.
 template <int N, class F>
 constexpr double constant() {
     return F{}(relative_motion{bounded_vector<N>(error_bound::exact_input({1, 0, 0})),
@@ -36,7 +36,7 @@ constexpr relative_motion<3, T, T, T> motion(const std::array<int, 7>& x) {
     return {{{T(x[0]), T(x[1]), T(x[2])}}, {{T(x[3]), T(x[4]), T(x[5])}}, T(x[6])};
 }
 
-// Of 12-bit integers: D < 2^53. Floats round to nearest, u = 2^-24; what is of second order in u is below 1 %.
+// For 12-bit integers: D < 2^53. Floats round to nearest, u = 2^-24; terms of second order in u are below 1 %.
 template <class F>
 constexpr double error_in_float(const std::array<int, 7>& x) {
     const double exact = F{}(motion<double>(x));
@@ -46,7 +46,7 @@ constexpr double error_in_float(const std::array<int, 7>& x) {
     return (difference < 0 ? -difference : difference) * 0x1p24 / (length2 * squared_norm(m.du));
 }
 
-// A family each: grazing, far, tiny radius, near contact, almost equal velocities, generic.
+// One pair of each family: grazing, far, tiny radius, near contact, almost equal velocities, generic.
 constexpr std::array<std::array<int, 7>, 6> chosen{{{4000, 29, 0, -3999, 1, 7, 36},
                                                     {4095, 4093, 4091, -4089, -4087, -4085, 3},
                                                     {4001, 3, 5, -4003, 1, 2, 1},
@@ -66,14 +66,14 @@ static_assert(worst_in_float<halved>() > 0 && worst_in_float<halved>() < 1.01 * 
 static_assert(worst_in_float<discriminant_lagrange>() > 0 &&
               worst_in_float<discriminant_lagrange>() < 1.01 * constant<3, discriminant_lagrange>());
 
-// Lagrange's form errs ten thousand times less than the halved one where balls graze, are far or are small.
+// For balls that graze, are far or are small, Lagrange's form errs ten thousand times less than the halved one.
 constexpr bool errs_far_less(const std::array<int, 7>& x) {
     return 10000 * error_in_float<discriminant_lagrange>(x) < error_in_float<halved>(x);
 }
 static_assert(errs_far_less(chosen[0]) && errs_far_less(chosen[1]) && errs_far_less(chosen[2]));
 
-// τ in float against τ in double, which errs 2^29 times less: balls that meet, D >= 2^-10 a |Δx|². In units 2^-24
-// |Δx|/|Δu|, of which the bound is staged.hpp's.
+// τ in float against τ in double, which errs 2^29 times less, for balls that meet with D >= 2^-10 a |Δx|². In units of
+// 2^-24 |Δx|/|Δu|, as the bound of staged.hpp.
 template <class T>
 constexpr T time_of(const std::array<int, 7>& x) {
     const auto m = motion<T>(x);
@@ -102,7 +102,7 @@ constexpr bool time_is_within(const std::array<int, 7>& x) {
 static_assert(time_is_within(meeting[0]) && time_is_within(meeting[1]) && time_is_within(meeting[2]) &&
               time_is_within(meeting[3]) && time_is_within(meeting[4]));
 
-// staged.hpp takes an error of two balls to be linear in R²: it is what error_bound says of each radius.
+// staged.hpp assumes that an error of two balls is linear in R²: this is what error_bound says for each radius.
 template <class F>
 constexpr bool is_linear_in_square_of_radius() {
     using bound = basic_error_bound<53>;
@@ -157,7 +157,7 @@ constexpr bool crossing_is_within(const std::array<int, 10>& x) {
 }
 static_assert(crossing_is_within(crossings[0]) && crossing_is_within(crossings[1]) && crossing_is_within(crossings[2]));
 
-// Of 30-bit integers in doubles: |computed - exact| 2^53 <= K length² velocity², all as integers.
+// For 30-bit integers in doubles: |computed - exact| 2^53 <= K length² velocity², all as integers.
 template <class F>
 constexpr bool double_is_within(const std::array<int, 7>& x) {
     const auto m = motion<integer<32>>(x);

@@ -1,4 +1,4 @@
-// Roundings counted when compiled, and terms sized.
+// Roundings counted at compile time, and the size of terms.
 #include <graze/analysis/rounding_count.hpp>
 #include <graze/formula/discriminant.hpp>
 

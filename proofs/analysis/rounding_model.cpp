@@ -1,6 +1,6 @@
-// Each operation of error_bound and of range_bound against the worst that can become of its operands: computed values
-// at the ends of what they may be, exact ones as far away as they may be, the result rounded to either side. In types
-// of so few bits that all of this is exact in doubles, and so are terms of second order.
+// Each operation of error_bound and of range_bound against the worst possible result: computed operands at the ends of
+// their ranges, exact operands as far from them as allowed, the result rounded to either side. The types have so few
+// bits that all of this is exact in doubles, terms of second order included.
 #include <graze/analysis/error_bound.hpp>
 #include <graze/analysis/polynomial.hpp>
 #include <graze/analysis/range_bound.hpp>
@@ -16,7 +16,7 @@ using namespace graze;
 constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 constexpr double larger(double x, double y) { return x > y ? x : y; }
 constexpr double noise = 1 + 0x1p-40; // of quotients and roots, which are not exact here
-// What is bounded by `bound` may be as large as `worst`, and `bound` is more by no more than a factor.
+// Whether `bound` holds for `worst`, the largest possible value, and exceeds it by no more than a factor.
 constexpr bool bounds_closely(double bound, double worst, double factor) {
     return bound * noise >= worst && bound <= worst * factor * noise;
 }
@@ -27,7 +27,7 @@ concept known = requires {
 
 // ---- error_bound: |ẑ| <= magnitude, |ẑ - z| <= error u.
 
-// Of op(x, y, z) rounded `roundings` times, in units u.
+// The largest error of op(x, y, z) rounded `roundings` times, in units u.
 template <int Digits>
 struct worst_case {
     using bound = basic_error_bound<Digits>;
@@ -37,8 +37,8 @@ struct worst_case {
     template <class Op>
     constexpr worst_case(const std::array<bound, 3>& in, int roundings, Op op) {
         const double u = bound::unit;
-        // A sign of each operand but the first (that of all three together is the result's), of each error and of the
-        // rounding.
+        // The signs of all operands but the first (changing all three changes only the result's sign), of each error
+        // and of the rounding.
         for (int choice = 0; choice < 128; choice += 2) {
             const auto sign = [&](int bit) { return (choice >> bit & 1) != 0 ? -1.0 : 1.0; };
             double computed[3], exact[3];
@@ -86,7 +86,7 @@ constexpr bool error_bounds(double m, double e, double n, double f) {
            worst({x, y, z}, 0, twofold).is_bounded_by(traits::twice(x), 0) && traits::twice(x).degree == of_x &&
            worst({x, y, z}, 0, same).is_bounded_by(-x, 0) && (-x).degree == of_x;
 }
-// N roundings on the way of the first product, which may be all there is.
+// N roundings of the first product, which may be the only one that is not 0.
 template <int N, int Digits>
 constexpr bool products_of_vectors(double m, double e, double n, double f) {
     using bound = basic_error_bound<Digits>;
@@ -99,7 +99,7 @@ constexpr bool products_of_vectors(double m, double e, double n, double f) {
     return worst_case<Digits>({x, y, y}, N, times).is_bounded_by(inner, N) && inner.degree == of_both &&
            worst_case<Digits>({x, x, y}, N, times).is_bounded_by(square, N) && square.degree == degrees{2, 4, 6};
 }
-// What two roundings do to a component, and what in space they do to the vector: √2 times that, see below.
+// The effect of two roundings on a component and, in space, on the vector: √2 times that, see below.
 template <int Digits>
 constexpr bool cross_products(double m, double e, double n, double f) {
     using bound = basic_error_bound<Digits>;
@@ -134,7 +134,7 @@ constexpr bool all_error_bounds() {
 }
 static_assert(all_error_bounds<5>(), "in which terms of second order count");
 static_assert(all_error_bounds<11>(), "in which a bound has little to spare");
-// Of more roundings than these formulas take: (17/16)^8 - 1 in units of 1/16.
+// For more roundings than these formulas have: (17/16)^8 - 1 in units of 1/16.
 constexpr double eighth_power = 17. * 17 * 17 * 17 * 17 * 17 * 17 * 17 / 0x1p32;
 static_assert(bounds_closely(detail::rounded<5>(1, 0, 1, 8, of_x).error, (eighth_power - 1) * 16, 2));
 
@@ -150,8 +150,9 @@ static_assert(bounds_closely(basic_error_bound<5>::rounded_input(of_y).error * (
 static_assert(known<decltype([] { return (error_bound(1, 1, of_y) + error_bound(1, 1, of_y)).degree[2]; })>);
 static_assert(!known<decltype([] { return (error_bound(1, 1, of_y) + error_bound(1, 1, of_both)).degree[2]; })>);
 
-// The norms of products of vectors, of components that are not negative: |x||y| bounds Σ x_i y_i, by what is left out,
-// and Σ|x_j y_k| + |x_k y_j| in the plane, √2 |x||y| the vector of these in space.
+// The norms of products of vectors with components that are not negative. |x||y| bounds Σ x_i y_i, and in the plane
+// also Σ|x_j y_k| + |x_k y_j|; √2 |x||y| bounds the vector of these sums in space. The omitted terms
+// show it.
 static_assert([] {
     using letters = polynomial<>;
     const auto x = proof::vector<3, letters>(0);
@@ -217,7 +218,7 @@ constexpr bool ranges(const range_bound<Digits>& x, const range_bound<Digits>& y
            right(traits::twice(x), 0, [](double a, double, double) { return 2 * a; }) &&
            right(traits::fma(x, y, z), 1, [](double a, double b, double c) { return a * b + c; });
 }
-// Of either sign, and across 0. The largest product and the largest sum are at one end.
+// Ranges of either sign, and ranges across 0. The largest product and the largest sum are at one end.
 template <int Digits>
 constexpr bool all_ranges() {
     using range = range_bound<Digits>;
@@ -259,7 +260,7 @@ constexpr bool roots() {
 }
 static_assert(roots<5>() && roots<11>());
 
-// Neither divides by what may be 0, nor takes its root: an error of 4095 is below 2^-40, one of 4096 is not.
+// A quotient and a root throw if the divisor or argument may be 0: an error of 4095 is below 2^-40, one of 4096 is not.
 constexpr int quotient_by(double low, double high, double error) {
     return (range_bound<>(1, 1, 0) / range_bound<>(low, high, error)).error > 0;
 }
@@ -281,7 +282,7 @@ static_assert(range_bound<>(-3).low == -3 && range_bound<>(-3).high == -3 && ran
 constexpr auto narrowed = range_bound<>(-3, 2, 1).within(-1, 4);
 static_assert(narrowed.low == -1 && narrowed.high == 2 && narrowed.error == 1);
 static_assert(range_bound<>(-3, 2, 1).within(-4, 1).low == -3 && range_bound<>(-3, 2, 1).within(-4, 1).high == 1);
-// What is rounded to at most 1 was at most 1/(1 - u), and u times that is its error.
+// A number that is rounded to at most 1 was at most 1/(1 - u), and its error is u times that.
 constexpr auto rounded_once = range_bound<5>::rounded_input();
 static_assert(bounds_closely(rounded_once.high, 1 / (1 - 0x1p-4), 1.06) && rounded_once.low == -rounded_once.high &&
               bounds_closely(rounded_once.error, 1 / (1 - 0x1p-4), 1.06));

@@ -8,7 +8,7 @@
 
 namespace bounds {
 
-// K against norms, as the filters take it: |computed - exact| <= K u length^i velocity^j normal^k.
+// K against norms, as the filters use it: |computed - exact| <= K u length^i velocity^j normal^k.
 template <class Q, int N, int Digits>
 inline constexpr double constant = [] {
     if constexpr (requires { Q::template compiled<N, Digits>(); }) {
@@ -23,8 +23,8 @@ inline constexpr double constant = [] {
     }
 }();
 
-// What a norm may be of the largest component: √N, since N m² - |x|² = Σ (m - x_i)(m + x_i). K times this, to each
-// positive power, is the constant against components; but R is no vector.
+// The largest quotient of a norm and the largest component m: √N, since N m² - |x|² = Σ (m - x_i)(m + x_i). K times
+// this, to each positive power, is the constant against components. For R, which is no vector, it is K.
 template <class Q, int N>
 inline constexpr double norm_factor = [] {
     if constexpr (requires { Q::has_vectors; }) {

@@ -26,7 +26,7 @@ void for_each_quantity(F f) {
     [&]<class... Q>(std::tuple<Q...>*) { (f.template operator()<Q>(), ...); }(static_cast<all*>(nullptr));
 }
 
-// The constants of this table are those that the filters compare with.
+// The constants of this table are those of the filters.
 template <int N>
 constexpr bool are_the_filters = [] {
     using filter = graze::detail::ball_filter<N, double>;
@@ -55,7 +55,7 @@ std::string script() {
     }
 }
 
-// Where a quantity's Gappa script is about norms: those of c, h and D, on which it rests, are.
+// The factor from Gappa's bound to the table. A time's script is about norms, since the bounds of c, h and D are.
 template <class Q, int N>
 constexpr double gappa_factor = [] {
     if constexpr (requires { Q::template compiled<N, 53>(); }) {
@@ -65,8 +65,8 @@ constexpr double gappa_factor = [] {
     }
 }();
 
-// How many times Gappa's bound the compiler's may be. Of norms less is known than of components; in two stages both
-// start from the same bounds.
+// The largest quotient of the compiler's bound and Gappa's. Norms tell less than components. In two steps both start
+// from the same bounds.
 template <class Q, int N>
 constexpr double apart = [] {
     if constexpr (requires { Q::template compiled<N, 53>(); }) {
@@ -162,7 +162,7 @@ std::vector<row> rows(const std::string& directory, const std::string& gappa, in
     return all_rows;
 }
 
-// Of the steps that lead to r, the one at which bound and found part most.
+// The step on the way to r at which bound and found error diverge most.
 std::pair<double, std::string> loss(const std::vector<row>& all_rows, const row& r) {
     double before = 1;
     std::pair<double, std::string> worst{0, ""};
@@ -177,8 +177,8 @@ std::pair<double, std::string> loss(const std::vector<row>& all_rows, const row&
     return std::max(worst, {r.slack() / before, r.step});
 }
 
-// Gappa's bound is 0 where it was not asked. The compiler's and Gappa's may be the same but for terms of second order
-// in u, of which each keeps other ones: a relative 64 u covers them.
+// Gappa's bound is 0 if Gappa was not run. The compiler's and Gappa's bounds may be equal up to terms of second order
+// in u, where each keeps different ones: a relative 64 u covers them.
 bool in_order(const row& r) {
     const auto ordered = [&](double compiler, double gappa, double found, double u) {
         return compiler >= found && found > 0 &&

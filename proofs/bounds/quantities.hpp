@@ -1,5 +1,5 @@
-// The quantities whose rounding errors are bounded, each the library's own formula, with the domain on which it is
-// bounded and the quantities that it is made of.
+// The quantities whose rounding errors are bounded. Each is the library's own formula, with the domain on which it is
+// bounded and the quantities that it is computed from.
 #pragma once
 
 #include "sources.hpp"
@@ -15,7 +15,7 @@
 
 namespace bounds {
 
-// Two balls: Δx, Δu and R were rounded once each.
+// Two balls. Δx, Δu and R were rounded once each.
 template <int N, class Source>
 [[nodiscard]] constexpr auto balls(Source& s) {
     auto dx = differences<N>(s, kind::length);
@@ -149,8 +149,8 @@ struct lagrange : of_balls<graze::discriminant_lagrange> {
     using parts = std::tuple<radii, a>;
 };
 
-// τ of two balls where D >= 2^-K a |Δx|², h < 0 and c >= 0. The bounds of c, h and D, which the filters rest on, and
-// what quotients and roots do to them: staged.hpp.
+// τ of two balls where D >= 2^-K a |Δx|², h < 0 and c >= 0. It uses the filters' bounds of c, h and D, and staged.hpp
+// for the effect of quotients and roots.
 template <class F, int K>
 struct time {
     static constexpr bool of_two_balls = true;

@@ -19,7 +19,8 @@ inline mpf_class value_of(const graze::sqrt_extension<graze::gmp_rational>& x) {
     return value_of(x.p()) + value_of(x.q()) * sqrt(value_of(x.d()));
 }
 
-// A function of its own with an effect, so that no compiler moves its arithmetic to where the mode is another one.
+// A separate function with a side effect, so that no compiler moves its arithmetic to a place with another rounding
+// mode.
 template <class Q, int N, class T>
 [[gnu::noinline]] T computed(rounded_source<T>& s) {
     return Q::template run<N>(s);
@@ -50,7 +51,7 @@ template <class Q, int N, class T>
     }
 }
 
-// A number in ±[1/2, 1) whose last bits, where roundings are relatively largest or smallest, are drawn as well.
+// A random number in ±[1/2, 1). Its last bits are random too: there roundings are relatively largest or smallest.
 template <class T>
 [[nodiscard]] T random_number(families::random& r) {
     constexpr int digits = std::numeric_limits<T>::digits;

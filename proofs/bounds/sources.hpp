@@ -1,4 +1,4 @@
-// What the quantities are computed from, in each of the number types: inputs, and what is supposed of values.
+// The sources of the quantities in each of the number types: inputs, and hypotheses about values.
 #pragma once
 
 #include <graze/analysis/error_bound.hpp>
@@ -18,8 +18,8 @@
 
 namespace bounds {
 
-// The one normaliser of all columns: the largest component of the lengths (with the radius), of the velocities and of
-// the normal. A quantity of the given degrees is measured in their product.
+// The normaliser of all columns: the largest component of the lengths (with the radius), of the velocities and of the
+// normal. A quantity of the given degrees is measured in units of their product.
 enum class kind { length, velocity, normal };
 using degrees = std::array<int, 3>;
 
@@ -28,12 +28,12 @@ using degrees = std::array<int, 3>;
 }
 
 // A source gives
-//   input(kind)         a component that is exact
-//   difference(kind)    one that was rounded once, as a difference or sum of two exact ones
-//   require(f)          that f(), of values, is true is a hypothesis
+//   input(kind)         an exact component
+//   difference(kind)    a component that was rounded once, as a difference or sum of two exact ones
+//   require(f)          the hypothesis that f(), about values, is true
 // and `number`, its type.
 
-// By the compiler, as the filters: against norms, of which the radius counts as one of the lengths.
+// For the compiler's bound, as for the filters: against norms, with the radius as one of the lengths.
 template <int Digits>
 struct compiled_source {
     using number = graze::basic_error_bound<Digits>;
@@ -41,7 +41,7 @@ struct compiled_source {
     [[nodiscard]] constexpr number difference(kind k) { return number::rounded_input(degree_of(k)); }
 };
 
-// By Gappa.
+// For Gappa's bound.
 class gappa_source {
   public:
     using number = graze::gappa_term;
@@ -61,7 +61,8 @@ class gappa_source {
     std::array<int, 3> count_{};
 };
 
-// On numbers: two a difference, one an input. In T, as a program computes it, with the scales of its inputs.
+// For the search, on numbers: two for a difference, one for an input. In T, as a program computes it, with the scales
+// of its inputs.
 template <class T>
 class rounded_source {
   public:
@@ -81,7 +82,7 @@ class rounded_source {
     [[nodiscard]] std::array<double, 3> scales() const {
         return each_kind([](const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); });
     }
-    // The norm of each kind's vector of N components; of the lengths, the radius if that is larger.
+    // The norm of each kind's vector of N components; for the lengths, the radius if that is larger.
     [[nodiscard]] std::array<double, 3> norms(std::size_t dimensions) const {
         return each_kind([dimensions](const std::vector<double>& x) {
             double sum = 0;
@@ -118,7 +119,7 @@ class rounded_source {
     std::array<std::vector<double>, 3> magnitudes_;
 };
 
-// Exactly; throws where what is required is not so.
+// Exact values. Throws if a requirement does not hold.
 struct outside_domain {};
 template <class T>
 class exact_source {

@@ -1,9 +1,9 @@
-// The bounds of quotients and roots, from those of the sums and products that they are made of, in two stages: what
-// graze::error_bound says of c, h and D, or of a plane's height and speed, is supposed, and graze::range_bound and
-// Gappa bound what the formula makes of it.
+// The bounds of quotients and roots, in two steps. First, graze::error_bound bounds the sums and products that they
+// use: c, h and D, or a plane's height and speed. Second, with these bounds as hypotheses, graze::range_bound and Gappa
+// bound the result of the formula.
 //
-// Formulas are homogeneous, so |Δx| = |Δu| = 1 (or |w| = |u| = |n| = 1) is no loss. Then a = 1, c = 1 - R² and
-// D = h² - c: the errors' dependence on R² is one on c, and c, h and D belong together.
+// Formulas are homogeneous, so |Δx| = |Δu| = 1 (or |w| = |u| = |n| = 1) loses no generality. Then a = 1, c = 1 - R² and
+// D = h² - c. So errors that depend on R² depend on c, and c, h and D are related.
 #pragma once
 
 #include <graze/analysis/error_bound.hpp>
@@ -31,8 +31,8 @@ namespace bounds {
     return x;
 }
 
-// A formula's error in units u, `fixed` + `growing` R²; that the norms of the rounded vectors are those of the exact
-// ones but for a factor of 1 + u to a power below 16 is taken in.
+// A formula's error in units u: `fixed` + `growing` R². It allows for the norms of the rounded vectors, which differ
+// from those of the exact ones by a factor of 1 + u to a power below 16.
 struct error_by_radius {
     double fixed = 0;
     double growing = 0;
@@ -66,8 +66,8 @@ struct square_of_normal {
     }
 };
 
-// The domain is divided: D at 2^(1-k), since the worst D is the least, and g = -h, g >= √D, into so many pieces a
-// factor of √2. Gappa's pieces are the smaller ones.
+// The domain is divided: D at 2^(1-k), since the least D is the worst; and g = -h, g >= √D, into this many pieces for
+// each factor of √2. Gappa's pieces are smaller.
 inline constexpr int pieces_of_compiler = 3;
 inline constexpr int pieces_of_gappa = 4;
 [[nodiscard]] constexpr double ratio_of(int pieces) { return pieces == 3 ? 1.122462 : 1.0905077; }
@@ -110,7 +110,7 @@ template <class F, int N, int Digits>
     return worst;
 }
 
-// A number as Gappa reads it.
+// A number in Gappa's syntax.
 [[nodiscard]] inline std::string text_of(double x) {
     std::array<char, 40> buffer{};
     std::snprintf(buffer.data(), buffer.size(), "%a", x);
@@ -139,7 +139,7 @@ template <class F, int N, int Digits>
                   "d in (" + text_of(power_of_two(1 - k)) + "), g in (" + pieces_of_g + ")");
 }
 
-// The touching time of a plane, of which r <= w·n <= 1, w·n >= 1/16, u·n <= -2^-k.
+// The time of touch of a plane, for r <= w·n <= 1, w·n >= 1/16 and u·n <= -2^-k.
 template <int N, int Digits>
 [[nodiscard]] constexpr double staged_touch(int k) {
     using bound = graze::range_bound<Digits>;

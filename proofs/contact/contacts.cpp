@@ -1,4 +1,4 @@
-// Contacts and rounded times as constants: what is known without a computer, ties, and every kind of encounter.
+// Contacts and rounded times as constants: results known by hand, ties, and every encounter.
 #include <graze/collide.hpp>
 #include <graze/time/time_of_shapes.hpp>
 
@@ -25,13 +25,13 @@ constexpr auto oblique = *collide(ball<3>{{0, 0, 0}, {10, 0, 0}, 2, 1}, ball<3>{
 static_assert(oblique.time == 1 && oblique.position_a == point(10, 0, 0) && oblique.normal == point(-0.6, -0.8, 0));
 static_assert(oblique.velocity_a == point(4.6, -7.2, 0) && oblique.velocity_b == point(1.8, 2.4, 0));
 
-// Overlapping and touching: now. Nothing moves a ball of infinite mass.
+// Overlapping and touching have the time 0. Nothing moves a ball of infinite mass.
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr auto inside = *collide(ball<2>{{0, 0}, {1, 0}, 1, 2}, ball<2>{{1, 0}, {0, 0}, 1, infinity});
 static_assert(inside == contact<2>{0, point(0, 0), point(1, 0), point(-1, 0), point(-1, 0), point(0, 0)});
 static_assert(collide(ball<2>{{-1, 0}, {1, 0}, 1}, ball<2>{{1, 0}, {0, 0}, 1})->time == 0);
 
-// A graze changes no velocity; what recedes or misses has no contact.
+// A graze changes no velocity. Pairs that recede or miss have no contact.
 constexpr auto grazed = *collide(ball<2>{{0, 0}, {1, 0.5}, 1}, ball<2>{{10, 2}, {-1, 0.5}, 1});
 static_assert(grazed.time == 5 && grazed.normal == point(0, -1) && grazed.velocity_a == point(1, 0.5));
 static_assert(!collide(ball<2>{{0, 0}, {-1, 0}, 1}, ball<2>{{10, 0}, {0, 0}, 1}));

@@ -1,8 +1,8 @@
-// The constants of the fast path of contacts: what its steps lose, derived from the steps themselves, is no more than
-// what time/fast_approach.hpp and contact/lane_steps.hpp say. Their notation is used, with u = 2^-53.
+// The constants of the fast path of contacts: the losses of its steps, derived from the steps themselves, are no more
+// than time/fast_approach.hpp and contact/lane_steps.hpp say. Their notation is used, with u = 2^-53.
 //
-// Bounds are homogeneous in the sizes of the inputs, so that each size is set to 1 in its turn. What a step leaves out,
-// a product of two low parts, stands beside what it rounds.
+// Bounds are homogeneous in the sizes of the inputs, so each size is set to 1 in turn. What a step omits, a product of
+// two low parts, is added to what it rounds.
 #include <graze/analysis/error_bound.hpp>
 #include <graze/contact/lane_steps.hpp>
 
@@ -17,7 +17,7 @@ using one = parts_bound;
 constexpr double u = parts_bound::unit;
 
 constexpr bounds both(const one& x) { return {{x, x}}; }
-// A size that is none of a literal ±1.
+// A size that does not count as a literal ±1.
 constexpr one sized(double size, double error = 0) { return {size, error}; }
 // A difference of inputs with its error.
 constexpr exact_pair<bounds> difference_of(double size) { return {both(sized(size)), both(sized(u * size))}; }
@@ -25,7 +25,7 @@ constexpr auto factor_of(const bounds& x) { return detail::as_factor<true>(x); }
 constexpr auto factor_of(const one& x) { return detail::as_factor<true>(x); }
 
 constexpr bool is_within(double derived, double stated) { return derived * error_bound_slack <= stated; }
-// So that no stated constant is a loose guess: the derived one is at least half of it.
+// No stated constant is a loose guess: the derived one is at least half of it.
 constexpr bool is_tight(double derived, double stated) { return is_within(derived, stated) && 2 * derived >= stated; }
 
 // y = Δx + Δu t0, m = |Δx| + |Δu| t0.
@@ -156,14 +156,14 @@ static_assert(is_tight(loss_of_closing_speed(1, 0) * 0.708 + speed_error_of_low 
                        76 * u * u));
 static_assert(is_within(speed_error_of_low / (31 * u) + 1.21, 1.5));
 
-// What the code adds to a velocity is enough: 54 u² γ + 71 u² + 94 u², γ >= 1/0.51, of a hit, and 32 u² χ + 30 u² and
-// the same, χ >= 1, of an overlap.
+// The error that the code adds to a velocity is enough: for a hit 54 u² γ + 71 u² + 94 u², γ >= 1/0.51; for an overlap
+// 32 u² χ + 30 u² and the same, χ >= 1.
 static_assert(is_within(54 * u * u + (71 + 94) * 0.51 * u * u, 0x1p-98) &&
               is_within((32 + 30 + 71 + 94) * u * u, 0x1p-98));
-// And to a time: half of |f̂ - f| over σ, with the squares of low parts that f leaves out.
+// So is the error that it adds to a time: half of |f̂ - f| over σ, with the squares of low parts that f omits.
 constexpr double left_out = 3.02 * 2.25 * 3.02 * 2.25 + 0.5;
 static_assert(is_within(left_out, 47) && is_within((116 + left_out) * u * u / 2 * (1 + 0x1p-9), 0x1p-99));
-// Of flights, whose Δx is off by 8.1 u² of the length already.
+// The same for flights, whose Δx is already off by 8.1 u² of the length.
 static_assert(is_within((116 + left_out + 2.01 * 0.71 * 8.1) * u * u / 2 * (1 + 0x1p-9), 0x1p-99));
 static_assert(is_within((60.2 + (71 + 94) * 0.51) * u * u, 0x1p-98));
 

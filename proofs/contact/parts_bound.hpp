@@ -1,18 +1,17 @@
-// The rounding error of steps that carry numbers as sums of two doubles, bounded by the compiler from the steps
-// themselves.
+// The rounding error of steps that compute with sums of two doubles, bounded by the compiler from the steps themselves.
 #pragma once
 
 #include <graze/machine/error_free.hpp>
 
 namespace graze {
 
-// A double in such a step: |x̂| <= size and |x̂ - x| <= error, where x is what the step gives when it rounds nowhere but
-// in the values of its error-free transforms. A transform is exact, value + error = x̂ ∘ ŷ: the value is what it is,
-// and the error takes over how far x̂ and ŷ are off. Every other operation obeys |fl(z) - z| <= u|z|, u = 2^-53 (to
-// nearest); where it is fused or reordered, by the same counts. Under- and overflow are excluded by the caller. The
-// bounds' own arithmetic is in doubles: allow for error_bound_slack.
+// A double in such a step: |x̂| <= size and |x̂ - x| <= error, where x is the result if the step rounds nowhere except in
+// the values of its error-free transforms. A transform is exact, value + error = x̂ ∘ ŷ: its value counts as exact, and
+// its error inherits the errors of x̂ and ŷ. Every other operation obeys |fl(z) - z| <= u|z| with u = 2^-53 (to
+// nearest); the counts are the same if it is fused or reordered. The caller excludes under- and overflow. The bounds
+// themselves are computed in doubles: allow for error_bound_slack.
 //
-// What a step leaves out on purpose, mostly a product of two low parts, is no rounding: a proof adds it.
+// What a step omits on purpose, mostly a product of two low parts, is not a rounding: a proof adds it.
 struct parts_bound {
     static constexpr double unit = 0x1p-53;
 
@@ -24,7 +23,7 @@ struct parts_bound {
     constexpr parts_bound(double x) : size(x < 0 ? -x : x), is_one(size == 1) {}
     constexpr parts_bound(double size_, double error_) : size(size_), error(error_) {}
 
-    // What an operation gives whose exact result from the doubles is at most that large.
+    // The result of an operation whose exact result from the doubles is at most `largest`.
     [[nodiscard]] static constexpr parts_bound rounded(double largest, double inherited) {
         return {largest * (1 + unit), inherited + unit * largest};
     }
@@ -32,7 +31,7 @@ struct parts_bound {
     [[nodiscard]] static constexpr exact_pair<parts_bound> transformed(double largest, double inherited) {
         return {parts_bound(largest * (1 + unit), 0), parts_bound(unit * largest, inherited)};
     }
-    // The error that a product takes over.
+    // The error that a product inherits.
     [[nodiscard]] static constexpr double inherited(const parts_bound& x, const parts_bound& y) {
         return x.size * y.error + (y.size + y.error) * x.error;
     }
@@ -64,7 +63,7 @@ struct parts_bounds {
     }
 };
 
-// What the steps call, for these types.
+// The functions that the steps call, for these types.
 [[nodiscard]] constexpr parts_bound settled(const parts_bound& x) { return x; }
 [[nodiscard]] constexpr parts_bounds settled(const parts_bounds& x) { return x; }
 [[nodiscard]] constexpr detail::halves<parts_bound> veltkamp_split(const parts_bound& x) { return {x, x}; }

@@ -1,5 +1,5 @@
-// What the steps of the fast path of contacts leave out, but for roundings: run in polynomials in which an error-free
-// transform may round its value in any way, they are the equations themselves less a product of two low parts each.
+// What the steps of the fast path of contacts omit, apart from roundings. They run in polynomials in which an
+// error-free transform may round its value in any way. There each is its equation less a product of two low parts.
 #include <graze/analysis/polynomial.hpp>
 #include <graze/contact/lane_steps.hpp>
 
@@ -19,7 +19,7 @@ struct symbol {
     [[nodiscard]] friend constexpr symbol operator+(const symbol& x, const symbol& y) { return x.p + y.p; }
     [[nodiscard]] friend constexpr symbol operator-(const symbol& x, const symbol& y) { return x.p - y.p; }
     [[nodiscard]] friend constexpr symbol operator*(const symbol& x, const symbol& y) { return x.p * y.p; }
-    // A quotient that was rounded: anything.
+    // A rounded quotient may be anything.
     [[nodiscard]] friend constexpr symbol operator/(int, const symbol&) { return terms::variable(14); }
 };
 struct symbols {
@@ -73,7 +73,7 @@ constexpr auto factor_of(const V& x) {
     return detail::as_factor<true>(x);
 }
 
-// y = Δx + Δu t0, each with its error: nothing is left out.
+// y = Δx + Δu t0, each with its error: nothing is omitted.
 static_assert([] {
     const auto y =
         detail::displacement<true>(exact_pair<symbol>{v<0>, v<1>}, exact_pair<symbol>{v<2>, v<3>}, factor_of(v<4>));
@@ -86,7 +86,7 @@ static_assert([] {
     return x.value + x.error == v<0> + v<1> * (v<2> + v<3>);
 }());
 
-// |y|² - R² but for the squares of low parts.
+// |y|² - R², except for the squares of low parts.
 constexpr detail::lane_displacement<true, symbols> y01{factor_of(symbols{{v<0>, v<1>}}), {{v<2>, v<3>}}, {}};
 constexpr detail::lane_displacement<true, symbols> y2{factor_of(symbols{{v<4>, v<5>}}), {{v<6>, v<7>}}, {}};
 constexpr symbol square(const symbol& x) { return x * x; }
@@ -105,27 +105,27 @@ static_assert([] {
     return (inverse.high.value + inverse.low) * x == symbol(1) - r * r;
 }());
 
-// (yh + low)(ih + il) but for low il.
+// (yh + low)(ih + il), except for low il.
 static_assert([] {
     const detail::lane_displacement<true, symbol> y{factor_of(v<0>), v<4>, factor_of(symbol())};
     const auto n = detail::normal_of(y, v<1>, factor_of(v<2>), v<3>);
     return n.high.value + n.low == (v<0> + v<1>)*(v<2> + v<3>)-v<1> * v<3>;
 }());
 
-// u + (φ + φl)(nh + nl) but for φl nl.
+// u + (φ + φl)(nh + nl), except for φl nl.
 static_assert([] {
     const detail::lane_normal<true, symbol> n{factor_of(v<3>), v<4>};
     const auto u = detail::velocity_in_parts(v<0>, factor_of(v<1>), v<2>, n);
     return u.value + u.error == v<0> + (v<1> + v<2>)*(v<3> + v<4>)-v<2> * v<4>;
 }());
 
-// A product but for that of the low parts.
+// A product, except for that of the low parts.
 static_assert([] {
     const auto x = detail::times(exact_pair<symbol>{v<0>, v<1>}, factor_of(v<2>), v<3>);
     return x.value + x.error == (v<0> + v<1>)*(v<2> + v<3>)-v<1> * v<3>;
 }());
 
-// -y·Δu but for the products of y's low parts and Δu's errors.
+// -y·Δu, except for the products of y's low parts and Δu's errors.
 static_assert([] {
     const struct {
         exact_pair<symbols> u01, u_2;

@@ -1,4 +1,4 @@
-// Eqs. (1), (2), (10) to (12) and (27) as identities: what holds of their polynomials holds of all inputs.
+// Eqs. (1), (2), (10) to (12) and (27) as identities: what holds for their polynomials holds for all inputs.
 #include <graze/formula/discriminant.hpp>
 
 #include "../variables.hpp"
@@ -22,7 +22,7 @@ constexpr motion<N> general() {
 }
 constexpr letters t() { return letter(15); }
 
-// Two balls of which every coordinate is a letter: 4N + 2 of them.
+// Two balls whose coordinates and radii are all letters, 4N + 2 of them.
 template <int N>
 constexpr ball<N, letters> ball_a() {
     return {vector<N>(0), vector<N>(2 * N), letter(4 * N)};
@@ -83,7 +83,7 @@ constexpr bool proved() {
     static_assert(halved(general<N>()) == lagrange(general<N>()), "Lagrange's identity");
     static_assert(discriminant_kahan{}(quadratic_of(general<N>())) == halved(general<N>()));
 
-    // Positions and velocities of the observer's own don't matter.
+    // The frame of reference does not matter.
     static_assert(
         [] {
             auto a = ball_a<N>();
@@ -179,8 +179,8 @@ static_assert([] {
     return a * (a * t() * t() + twice(h) * t() + c) == s * s - discriminant_halved{}(q);
 }());
 
-// Kahan's form, of which exactly nothing but h² - ac is left, is for arithmetic that rounds: in numbers of 8 bits it is
-// right to 1.5 units in the last place, where h² - ac as it stands may keep no bit.
+// Kahan's form is for arithmetic that rounds; in exact arithmetic it is h² - ac. In numbers of 8 bits it is right
+// to 1.5 units in the last place, where h² - ac as it stands may keep no bit.
 struct coarse {
     std::int64_t value = 0;
     constexpr coarse(int x) : value(rounded(x)) {}

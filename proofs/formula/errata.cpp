@@ -1,5 +1,5 @@
-// What is wrong or missing in the source, line by line: each printed form refuted by an example, the corrected one
-// holding there. That the corrected ones hold everywhere is proved beside this: discriminant.cpp, roots.cpp,
+// What is wrong or missing in the source, line by line: each printed form is refuted by an example, for which the
+// corrected form holds. The neighbouring files prove that the corrected forms always hold: discriminant.cpp, roots.cpp,
 // contact.cpp, impulse.cpp, plane_crossing.cpp, wall_features.cpp.
 #include <graze/exact/integer.hpp>
 #include <graze/number/floating.hpp>
@@ -34,8 +34,8 @@ constexpr auto printed = q.h * q.h - (q.a * squared_norm(collide.dx) - collide.R
 static_assert(sign(printed) < 0, "the printed (12) says that they do not meet");
 static_assert(sign(discriminant_halved{}(q)) > 0, "corrected, it says that they do");
 
-// (12), "the first condition", is not enough. Parting balls have real roots, and so do balls inside each other; the
-// larger root is when they would part again.
+// (12), "the first condition", is not enough. Parting balls have real roots, and so do balls inside each other, whose
+// larger root is the time at which they would part again.
 static_assert(solve(b, ball<2>{{9, 0}, {0, 0}, 1}).discriminant > 0 &&
               solve(b, ball<2>{{9, 0}, {0, 0}, 1}).what == encounter::overlap);
 static_assert(solve(b, ball<2>{{7, 0}, {-2, 0}, 1}).discriminant > 0 &&
@@ -44,8 +44,8 @@ constexpr double larger = (-quadratic_of(m).h + 4) / quadratic_of(m).a; // √D 
 static_assert(discriminant_lagrange{}(m) == 16 && s.time == 4 && larger == 6);
 static_assert(a.position[0] + larger * a.velocity[0] > b.position[0] + larger * b.velocity[0], "passed through");
 
-// (11): b² - 4ac and (-b - √(b² - 4ac))/(2a) are right and cancel. Where the gap is 2^-20, c/(-h + √D) is within 2^-51
-// of the exact time, and the printed root is not within 2^-40. Of balls 2^30 apart that pass 2^-20 beside each other
+// (11): b² - 4ac and (-b - √(b² - 4ac))/(2a) are right, but cancel. For a gap of 2^-20, c/(-h + √D) is within 2^-51 of
+// the exact time, and the printed root is not within 2^-40. For balls 2^30 apart that miss each other by 2^-20,
 // Lagrange's form says so, and h² - ac does not.
 constexpr ball<2> still{{0, 0}, {0, 0}, 0.5};
 constexpr ball<2> close{{1 + 0x1p-20, 0}, {-1, 0.1}, 0.5};
@@ -61,14 +61,14 @@ static_assert(solve<variant::lagrange>(still, ball<2>{{0x1p30 + 1, 3 + 0x1p-20},
               encounter::miss);
 static_assert(solve<variant::halved>(still, ball<2>{{0x1p30 + 1, 3 + 0x1p-20}, {-1, 0}, 2.5}).what != encounter::miss);
 
-// (18): with the sign that (17) gives its right side it holds; as printed it does not.
+// (18) holds if its right side has the sign that follows from (17); as printed it does not hold.
 constexpr auto t = solve(ball<2>{{0, 0}, {2, 0}, 1, 1}, b);
 constexpr double of_a = (2 - t.velocity_a[0]) * (2 + t.velocity_a[0]);
 constexpr double of_b = (-1 - t.velocity_b[0]) * (-1 + t.velocity_b[0]);
 static_assert(of_a == -of_b && of_a != of_b);
 
-// (22) divides (18) by α. Where α = 0 that says nothing: velocities that stay as they are satisfy (18) and (21), and
-// not (22), for a normal along which the balls approach.
+// (22) divides (18) by α. If α = 0 that is not allowed: unchanged velocities satisfy (18) and (21), but not (22), for a
+// normal along which the balls approach.
 constexpr vec<2, double> x_hat{{-1, 0}};
 static_assert(dot(a.velocity - a.velocity, a.velocity + a.velocity) ==
               -dot(b.velocity - b.velocity, b.velocity + b.velocity));
@@ -77,13 +77,13 @@ constexpr ball<2> passing{{10, 2}, {-1, 0}, 1, 1};
 static_assert(solve(a, passing).what == encounter::graze && solve(a, passing).velocity_a == a.velocity &&
               solve(a, passing).velocity_b == passing.velocity);
 
-// (21): α is not in (0, ∞): negative for balls that approach, zero for a graze. With its magnitude in (23) the balls
-// would be faster towards each other.
+// (21): α is not in (0, ∞): it is negative for balls that approach and zero for a graze. With its magnitude in (23) the
+// balls would approach faster afterwards.
 constexpr double alpha = impulse(reduced_mass(1.0, 1.0), s.normal, m.du);
 static_assert(alpha == -2 && impulse(reduced_mass(1.0, 1.0), solve(a, passing).normal, m.du) == 0);
 static_assert(s.velocity_a[0] == -1 && velocity_after(a.velocity, -alpha, 1.0, s.normal)[0] == 3);
 
-// "Applying (23) to (18)": (24) is what (23) makes of (22); of (18) it makes α times that, which says nothing where α =
+// "Applying (23) to (18)": (24) results from (23) and (22). From (18) results α times (24), which says nothing if α =
 // 0. As an identity in u_a, u_b, X̂, α and the inverse masses.
 using function = rational_function<512>;
 static_assert([] {
@@ -109,8 +109,8 @@ constexpr auto heavy = solve(ball<2>{{0, 0}, {1, 0}, 1, 2}, ball<2>{{10, 0}, {-1
 static_assert(heavy.velocity_a[0] == 1 - 2 * 6. / 8 * 2 && heavy.velocity_b[0] == -1 + 2 * 2. / 8 * 2);
 static_assert(dot(m.du, s.normal) == -4. / 2);
 
-// (33) as printed is when the centre arrives; the ball touches earlier, on whichever side it is. Parallel motion has no
-// such time, even inside.
+// (33) as printed is the time at which the centre arrives. The ball touches earlier, on either side. Parallel motion
+// has no such time, even inside the plane.
 constexpr ball<2> towards{{0, 0}, {1, 0}, 1};
 constexpr plane<2> far_plane{{7, 0}, {-2, 0}};
 static_assert(solve(towards, far_plane).time == 6);
@@ -119,8 +119,8 @@ static_assert(centre_crossing_time{}(plane_height{}(relative_motion_of(towards, 
 static_assert(solve(ball<2>{{14, 0}, {-1, 0}, 1}, far_plane).time == 6);
 static_assert(solve(ball<2>{{6.5, 0}, {0, 1}, 1}, far_plane).what == encounter::recede);
 
-// Section 2.2 after (33): whether the point is in the rectangle, who meets edges and corners, where, and the velocity
-// after it. The plane is met in each of these.
+// Section 2.2 after (33): whether the point is in the rectangle, which balls meet edges and corners, where, and with
+// what velocity they leave. The plane is met in each case.
 constexpr wall<3> square{{5, -3, -3}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};
 constexpr plane<3> its_plane{{5, -3, -3}, {1, 0, 0}};
 constexpr auto met(double y, double z) { return solve(ball<3>{{0, y, z}, {1, 0, 0}, 2}, square); }
@@ -132,15 +132,15 @@ static_assert(met(5.5, 0).what == encounter::miss);
 static_assert(solve(ball<3>{{0, 5.5, 0}, {1, 0, 0}, 2}, its_plane).what == encounter::hit);
 
 // Section 2.1: a normal does not say how a rectangle lies in its plane. These two have the same normal, a common corner
-// and the same sides; a point meets one of them only.
+// and the same sides, but a point meets only one of them.
 constexpr wall<3> upright{{5, 0, 0}, {{{{0, 5, 0}}, {{0, 0, 5}}}}};
 constexpr wall<3> tilted{{5, 0, 0}, {{{{0, 3, 4}}, {{0, -4, 3}}}}};
 constexpr ball<3> point{{0, 4.5, 0.5}, {1, 0, 0}, 0};
 static_assert(relative_motion_of(point, upright).n == relative_motion_of(point, tilted).n);
 static_assert(solve(point, upright).what == encounter::hit && solve(point, tilted).what == encounter::miss);
 
-// Nor are two doubles' edges at right angles: (2, 3, 6)/7 and (3, -6, 2)/7 are, and when rounded they are not. So a
-// wall is a parallelogram: of this one the first point misses what a rectangle around it has, the second meets it.
+// Edges in doubles are seldom at right angles: (2, 3, 6)/7 and (3, -6, 2)/7 are, but not when rounded. So a wall is a
+// parallelogram. The first point misses it where a rectangle around it would be met; the second point meets it.
 template <int N>
 constexpr bool at_right_angles(const vec<N, double>& x, const vec<N, double>& y) { // of multiples of 2^-53 below 2^9
     const auto exact = [](const vec<N, double>& v) {

@@ -1,5 +1,5 @@
-// The motion of two flights and the parabola counted from another instant, as identities; and which of two flights is
-// moved on, in rationals.
+// The motion of two flights, and the parabola with times that count from another instant, as identities; and which of
+// two flights is moved on, in rationals.
 #include <graze/formula/contact.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/flight_motion.hpp>
@@ -16,7 +16,7 @@ using proof::letters;
 using proof::rational;
 using proof::vector;
 
-// Two balls of which every coordinate is a letter, and their instants.
+// Two balls whose coordinates are all letters, and their epochs.
 template <int N>
 constexpr ball<N, letters> ball_a{vector<N>(0), vector<N>(2 * N), letter(4 * N)};
 template <int N>
@@ -26,7 +26,7 @@ constexpr letters since_a = letter(4 * N + 2);
 template <int N>
 constexpr letters since_b = letter(4 * N + 3);
 
-// Ball b seen from ball a where the ball that started first has moved on to the start of the other.
+// The relative motion after the ball with the earlier epoch has moved on to the epoch of the other.
 template <int N>
 constexpr bool moves_on() {
     const auto now = relative_motion_of(ball_a<N>, ball_b<N>);
@@ -40,7 +40,7 @@ constexpr bool moves_on() {
 }
 static_assert(moves_on<2>() && moves_on<3>());
 
-// a t² + 2 h t + c is the same number at the same instant, whichever the clock.
+// a t² + 2 h t + c is the same number at the same instant, on either clock.
 constexpr quadratic<letters, letters, letters> general{letter(0), letter(1), letter(2)};
 constexpr letters t = letter(3), start = letter(4);
 constexpr letters at(const quadratic<letters, letters, letters>& q, const letters& x) {
@@ -54,7 +54,7 @@ constexpr auto back = counted_from(earlier, -start);
 static_assert(back.h == general.h && back.c == general.c);
 static_assert(counted_from(general, letters(0)).c == general.c && counted_from(general, letters(0)).h == general.h);
 
-// In rationals the flight with the earlier since is the one that is moved on.
+// In rationals: the flight with the earlier epoch is moved on.
 constexpr flight<2, rational> early{{{{1, 2}}, {{3, -1}}, 1}, rational(1, 2)};
 constexpr flight<2, rational> late{{{{9, 0}}, {{-2, 5}}, 2}, rational(5, 2)};
 constexpr auto forth = relative_motion_of(early, late);
@@ -62,7 +62,7 @@ constexpr auto reverse = relative_motion_of(late, early);
 static_assert(forth.dx == vec<2, rational>{{rational(1 + 6 - 9), rational(2 - 2 - 0)}});
 static_assert(reverse.dx == -forth.dx && reverse.du == -forth.du && reverse.R == forth.R);
 static_assert(forth.du == vec<2, rational>{{5, -6}} && forth.R == rational(3));
-// By a lead of less than one as well; and of one since they are their balls.
+// Also by a lead of less than one. With equal epochs, flights are their balls.
 constexpr flight<2, rational> barely{early.state, rational(9, 4)};
 static_assert(relative_motion_of(barely, late).dx == vec<2, rational>{{rational(-29, 4), rational(7, 4)}});
 constexpr flight<2, rational> together{late.state, early.since};

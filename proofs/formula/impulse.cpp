@@ -1,5 +1,5 @@
-// Eqs. (14) to (29): momentum and energy before and after, as identities. X̂ is any vector n, and what |n|² = 1 is
-// needed for shows as a factor |n|² - 1; formula/contact.cpp proves that X̂ has none.
+// Eqs. (14) to (29): momentum and energy before and after, as identities. X̂ is any vector n; where |n|² = 1 is needed,
+// a factor |n|² - 1 remains. formula/contact.cpp proves that it is 0 for X̂.
 #include <graze/formula/impulse.hpp>
 
 #include "../variables.hpp"
@@ -42,8 +42,8 @@ constexpr bool energy() {
     return gain == function(4) * i.mu * along * along * i.excess * i.w_a * i.w_b;
 }
 
-// (18), with the sign that (17) gives: the same, factored. (22): the sum of a ball's velocities along n is that of the
-// other's. And so the balls part as fast as they met.
+// (18), with the sign that follows from (17): the same, factored. (22): along n, the sums of the velocities before and
+// after are equal for both balls. So the balls part as fast as they approached.
 template <int N>
 constexpr bool along_the_normal() {
     const impact<N> i;
@@ -59,7 +59,7 @@ constexpr bool change_is_along_the_normal() {
     return i.u_a - i.v_a == (i.alpha * i.w_a) * i.n;
 }
 
-// (25), (28): α (1/m_a + 1/m_b) = 2 n·Δu, with no parentheses astray; μ = m_a m_b/(m_a + m_b).
+// (25), (28): α (1/m_a + 1/m_b) = 2 n·Δu, and μ = m_a m_b/(m_a + m_b).
 template <int N>
 constexpr bool impulse_by_masses() {
     const impact<N> i;
@@ -80,7 +80,7 @@ constexpr bool completed() {
     return i.v_a == i.u_a - (m_b * along) * i.n && i.v_b == i.u_b + (m_a * along) * i.n;
 }
 
-// The sense of the normal has no meaning; an infinite mass is not moved, and is a wall to the other.
+// The direction of the normal does not matter. An infinite mass is not moved; to the other ball it is a wall.
 template <int N>
 constexpr bool senses_and_walls() {
     const impact<N> i;

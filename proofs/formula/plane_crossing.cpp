@@ -1,5 +1,5 @@
-// Eqs. (31) to (33), completed: at the touching time the centre is at distance r from the plane. Letters count as
-// positive where the formula asks for a sign, so that each side of the plane is a proof of its own.
+// Eqs. (31) to (33), completed: at the time of touch the centre is at distance r from the plane. Where the formula asks
+// for a sign, letters count as positive, so each side of the plane has a proof of its own.
 #include <graze/formula/contact.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/plane_crossing.hpp>
@@ -63,8 +63,8 @@ constexpr bool touches(int side) {
 }
 static_assert(touches<2>(1) && touches<2>(-1) && touches<3>(1) && touches<3>(-1));
 
-// As a quadratic: (height + speed t)² - r² n·n, of which the touching time is a root, with D = speed² r² n·n: the
-// smaller one when the ball approaches, being √D/a before the centre's.
+// As a quadratic: (height + speed t)² - r² n·n with D = speed² r² n·n. The time of touch is a root of it, the smaller
+// one if the ball approaches, since it is √D/a before the centre's time.
 template <int N>
 constexpr bool squared(int side) {
     const auto m = seen<N>(side);

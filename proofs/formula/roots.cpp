@@ -1,4 +1,4 @@
-// The smaller root τ in Q(√D), as identities in a, h and S = √D: c stands for (h² - S²)/a, which every c is.
+// The smaller root τ in Q(√D), as identities in a, h and S = √D. c stands for (h² - S²)/a, which loses no generality.
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/root_order.hpp>
 #include <graze/formula/roots.hpp>

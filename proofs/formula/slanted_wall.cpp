@@ -1,6 +1,6 @@
-// A wall whose edges are not at right angles, in whole numbers: the feature that is closest, against the distances to
-// all of its corners and sides; and, of a ball that flies straight at the wall's plane and so stays beside one point of
-// the wall, the encounter by that distance.
+// A wall whose edges are not at right angles, in whole numbers: the closest feature, against the distances to all
+// corners and sides; and the encounter of a ball that flies perpendicularly to the wall's plane, and so stays beside
+// one point of the wall, by its distance from that point.
 #include <graze/formula/solve_wall.hpp>
 
 #include "../whole.hpp"
@@ -33,7 +33,7 @@ struct closest {
     feature where;
     int index;
 };
-// Borders belong to the larger feature: what is beside the end of a side is beside the side.
+// Borders belong to the larger feature: a point beside the end of a side is beside the side.
 constexpr closest closest_to(const parallelogram& w, point p) {
     const int area = outer(w.e[0], w.e[1]);
     const int along0 = outer(p - w.corner, w.e[1]) * (area < 0 ? -1 : 1); // λ_0 |area|
@@ -92,7 +92,7 @@ constexpr bool right(const parallelogram& w, point p) {
            (inside.what != encounter::overlap || (inside.where == c.where && inside.index == c.index));
 }
 
-// One with a side at (4, 3)/5, from each corner and with its edges in either order.
+// A parallelogram with a side along (4, 3)/5, from each corner and with its edges in either order.
 constexpr parallelogram seen_from_corner(int corner, bool swapped) {
     const std::array<point, 2> e{{{6, 0}, {4, 3}}};
     const point e0 = (corner & 1) != 0 ? -e[0] : e[0];

@@ -1,6 +1,6 @@
-// graze::solve for a ball and a wall where the number type has a square root of its own, and may round: the sign of
-// p ± q√d, and what a touch in passing and a point leave of normal and velocity. (In exact types: predicate/scenes.cpp
-// and wall_scenes.cpp.)
+// graze::solve for a ball and a wall in a number type that has a square root of its own and may round: the sign of
+// p ± q√d, and the normal and velocity of a graze and of a point. (For exact types see predicate/scenes.cpp and
+// wall_scenes.cpp.)
 #include <graze/number/floating.hpp>
 #include <graze/solve.hpp>
 
@@ -12,9 +12,9 @@ using namespace graze;
 using proof::rational;
 using surd = sqrt_extension<rational>;
 
-// The sign of p + flip q√d for whole p and q and these d, in doubles. Of 2 and 5 the root is irrational: squares
-// decide. Less than 0 can d be only by a rounding, where its sign has been found to be >= 0 by another formula: it is
-// 0.
+// The sign of p + flip q√d for whole p and q and these d, in doubles. The roots of 2 and 5 are irrational: squares
+// decide. d can be less than 0 only by a rounding, where another formula has found its sign to be >= 0; it then counts
+// as 0.
 struct radicand_and_root {
     int d;
     int root; // where it is whole, otherwise -1
@@ -49,7 +49,7 @@ constexpr bool roots_have_signs() {
 }
 static_assert(roots_have_signs());
 
-// Where the answer rests on it: in doubles, and by either root of d.
+// Cases where the answer depends on that sign: in doubles, and by either root of d.
 constexpr wall<3> square{{5, -3, -3}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};
 constexpr bool meets(double x, double y, double z, double v, double w, feature where, int index) {
     const auto s = solve(ball<3>{{x, y, z}, {x < 5 ? 1.0 : -1.0, v, w}, 1}, square);
@@ -70,13 +70,13 @@ static_assert(meets_from_both_sides(0, -1.5, 0, 1, feature::face, 0) &&
               meets_from_both_sides(-0.9, -0.9, 1, 1, feature::corner, 3) &&
               meets_from_both_sides(0.9, 0.9, -1, -1, feature::corner, 0));
 
-// A touch in passing changes no velocity, and so none by the rounding of the normal (3, -4)/5.
+// A graze changes no velocity, also where the normal (3, -4)/5 is rounded.
 constexpr ball<2> passing{{-1, -7}, {4, 3}, 5};
 constexpr auto touch = solve(passing, wall<2>{{0, 0}, {{{{0, 6}}}}});
 static_assert(touch.what == encounter::graze && touch.where == feature::corner && touch.time == 1);
 static_assert(touch.velocity == passing.velocity && reflected(passing.velocity, touch.normal) != passing.velocity);
 
-// A point that flies within the plane touches the border: there is no normal, and the velocity stays.
+// A point that flies within the plane touches the end of the wall: there is no normal, and the velocity stays.
 constexpr auto point_at_end =
     solve(ball<2, rational>{{{0, 5}}, {{0, -1}}, 0}, wall<2, rational>{{{0, -2}}, {{{{0, 4}}}}});
 static_assert(point_at_end.what == encounter::graze && point_at_end.where == feature::corner &&
@@ -87,8 +87,8 @@ constexpr auto point_at_edge = solve(ball<3, rational>{{{0, 5, 0}}, {{0, -1, 0}}
 static_assert(point_at_edge.what == encounter::graze && point_at_edge.where == feature::edge &&
               point_at_edge.index == 1 && point_at_edge.normal == detail::zero_vector<3, surd>());
 
-// What slides over the face, or along an edge, at exactly the distance r is at that distance for a while. It touches
-// the wall where it comes, not where it leaves; into a corner it comes by both edges.
+// A ball that slides over the face, or along an edge, at exactly the distance r keeps that distance for a while. It
+// touches the wall where it arrives, not where it leaves; at a corner it arrives along both edges.
 constexpr wall<3, rational> flat{{{0, -2, -3}}, {{{{0, 4, 0}}, {{0, 0, 6}}}}};
 constexpr bool grazes(const ball<3, rational>& b, int time, feature where, int index) {
     const auto s = solve(b, flat);
@@ -111,8 +111,8 @@ constexpr bool grazes(const ball<2, rational>& b, int time, int index) {
 }
 static_assert(grazes({{{1, -5}}, {{0, 1}}, 1}, 3, 0) && grazes({{{1, 5}}, {{0, -1}}, 1}, 3, 1));
 
-// What leaves the wall and comes down to its plane, or goes up from it, touches the border from above: at (4, 3)/5 from
-// an edge or an end, at (1, 2, 2)/3 from a corner.
+// A ball that leaves the wall and comes down to its plane, or goes up from it, touches the rim from above: at (4, 3)/5
+// from an edge or an end, at (1, 2, 2)/3 from a corner.
 static_assert(grazes({{{7, 1, 1}}, {{-3, 4, 0}}, 5}, 1, feature::edge, 1) &&
               grazes({{{-7, -1, 1}}, {{3, -4, 0}}, 5}, 1, feature::edge, 0) &&
               grazes({{{7, 1, -2}}, {{-3, 0, -4}}, 5}, 1, feature::edge, 2));
@@ -120,8 +120,8 @@ static_assert(grazes({{{7, 1}}, {{-3, 4}}, 5}, 1, 1) && grazes({{{-7, -1}}, {{3,
 static_assert(grazes({{{5, 3, 4}}, {{-4, 1, 1}}, 3}, 1, feature::corner, 3) &&
               grazes({{{-5, -3, -4}}, {{4, -1, -1}}, 3}, 1, feature::corner, 0));
 
-// What touches a border now and approaches hits it now. A large ball meets the nearer end, not the one that it would
-// meet if the wall ended there only.
+// A ball that touches the rim at t = 0 and approaches hits it at t = 0. A large ball meets the nearer end, not the end
+// that it would meet if the wall ended only there.
 constexpr bool hits(const ball<3, rational>& b, int time, feature where, int index) {
     const auto s = solve(b, flat);
     return s.what == encounter::hit && s.time == surd(time) && s.where == where && s.index == index;

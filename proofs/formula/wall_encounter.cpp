@@ -1,6 +1,6 @@
-// The procedure by which a ball and a wall meet, in whole numbers: over grids of starts and velocities the encounter
-// and the feature must be those that the distance tells, which is a piecewise quadratic, convex function of time.
-// Thousands of signs a case, and none by a formula of the library.
+// wall_decision in whole numbers: over grids of starts and velocities, encounter and feature must be those that follow
+// from the distance, whose square is a piecewise quadratic, convex function of time. The oracle takes thousands of
+// signs for each case, none by a formula of the library.
 #include <graze/formula/solve_wall.hpp>
 
 #include "../whole.hpp"
@@ -57,7 +57,7 @@ struct flight {
         }
         return sum;
     }
-    // Of face, edge and corner the one on which the wall's closest point is; borders belong to the larger one.
+    // The feature on which the wall's closest point is. Borders belong to the larger feature.
     constexpr feature where(fraction t) const {
         int beyond = 0;
         for (int i = 1; i < N; ++i) {
@@ -186,7 +186,8 @@ constexpr bool right(const thrown& b, const wall<N, whole>& in) {
     if (found.what != e.what || decide.overlaps() != (flight<N>{b}.against_radius({}) < 0)) {
         return false;
     }
-    // A point meets the border as a face's; what slides along the face at the distance r grazes an edge or a corner.
+    // A point meets the rim as part of the face; a ball that slides along the face at the distance r grazes an edge or
+    // a corner.
     switch (e.what) {
     case encounter::recede:
     case encounter::overlap:

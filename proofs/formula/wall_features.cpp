@@ -1,4 +1,4 @@
-// What the source's section 2.2 lacks: face, edges and corners of a wall, as identities.
+// Face, edges and corners of a wall, which section 2.2 of the source lacks, as identities.
 #include <graze/formula/contact.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/wall_encounter.hpp>
@@ -73,8 +73,8 @@ constexpr bool heights() {
 }
 static_assert(heights<2, 0>() && heights<3, 0>() && heights<3, 1>());
 
-// Seen from another corner and in another order: the same wall. λ_i turns into 1 - λ_i where the corner is far along
-// it.
+// Seen from another corner and with its edges in another order, the wall is the same. λ_i becomes 1 - λ_i if that
+// corner is at its far end.
 template <int I, class V, class M>
 constexpr bool same_side(const V& v, const M& m, bool far) {
     return far ? side_height<0, 0>{}(v) == -side_height<I, 1>{}(m) && side_height<0, 1>{}(v) == -side_height<I, 0>{}(m)

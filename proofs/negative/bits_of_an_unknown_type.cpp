@@ -1,4 +1,4 @@
-// Asking whether a type is exact of which nothing is known.
+// Asking whether an unknown type is exact.
 // expect: exact_bits: neither a built-in type nor one that number_traits describes
 #include <graze/formula/exact_in.hpp>
 

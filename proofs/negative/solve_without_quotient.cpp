@@ -1,4 +1,4 @@
-// A number type that lacks what a formula needs: τ is a quotient, and integers have none.
+// A number type that lacks an operation: τ is a quotient, and integers have no quotients.
 // expect: field_number
 #include <graze/exact/integer.hpp>
 #include <graze/number/floating.hpp>

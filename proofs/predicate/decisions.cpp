@@ -1,4 +1,4 @@
-// Decisions and times as constants: every encounter, exact ties and what lies one unit in the last place beside.
+// Decisions and times as constants: every encounter, exact ties, and inputs one unit in the last place beside them.
 #include <graze/graze.hpp>
 
 #include <cstdint>
@@ -42,7 +42,7 @@ constexpr auto with_ball = *time_of_impact(ball<3>{{0, 0, 0}, {1, 0, 0}, 1}, bal
 static_assert(with_wall == with_plane && with_plane == with_ball && with_ball == 4.0);
 static_assert(with_wall < 4 + 4 * ulp && with_wall > 4 - 2 * ulp);
 
-// A tie between two doubles: τ is exactly 1/2 + 2^-54... and both neighbours tell.
+// A time exactly between two doubles, 1 + 2^-53: it compares rightly with both.
 constexpr auto between = *time_of_impact(ball<2>{{1 + ulp, 0}, {-1, 0}, 0x1p-54}, ball<2>{{0, 0}, {0, 0}, 0x1p-54});
 static_assert(between > 1.0 && between < 1 + ulp);
 

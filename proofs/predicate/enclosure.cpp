@@ -1,4 +1,4 @@
-// When two enclosures of times are apart: only if no number lies in both.
+// Two enclosures of times are apart only if no number is in both.
 #include <graze/time/enclosure.hpp>
 
 namespace {
@@ -18,7 +18,7 @@ static_assert(together({1, 0.875}, {2, 0.25}) && together({1, 0.25}, {2, 0.875})
 static_assert(together(now, now) && apart(now, {0.5, 0.25}) && together(now, {0.25, 0.25}));
 static_assert(now.is_zero() && !enclosure{0, 0x1p-1074}.is_zero() && !enclosure{0x1p-1074, 0}.is_zero());
 
-// Of an error that is not known nothing is.
+// An enclosure with an unknown error is apart from none.
 static_assert(!enclosure{}.is_known() && now.is_known());
 static_assert(together({}, now) && together({}, {}) && together({}, {enclosure::unknown, 0}));
 

@@ -1,4 +1,4 @@
-// Flights as constants: every encounter after the later start, ties of different epochs, points among mirrors.
+// Flights as constants: every encounter after the later epoch, ties of different epochs, points among mirrors.
 #include <graze/graze.hpp>
 
 namespace {
@@ -21,7 +21,7 @@ static_assert(pass(2 - ulp, 3) == encounter::hit);
 static_assert(pass(2 + 2 * ulp, 3) == encounter::miss);
 static_assert(overlaps(mover(0), target(10)) && !overlaps(mover(0), target(9)));
 
-// Whenever the target starts, the time is the same, exactly; once it is touched, that of its start.
+// Whatever the target's epoch, the time is exactly the same; if the target is already touched then, it is the epoch.
 static_assert(*time_of_impact(mover(0), target(3)) == 9.0);
 static_assert(*time_of_impact(mover(1), target(3)) == *time_of_impact(target(8), mover(1)));
 static_assert(*time_of_impact(mover(1), target(3)) < *time_of_impact(mover(1.5), target(-7)));
@@ -37,7 +37,7 @@ static_assert(*time_of_impact(mover(0), end) == *time_of_impact(mover(0), target
 static_assert(*time_of_impact(mover(0), segment) == *time_of_impact(mover(0), end));
 static_assert(collide(mover(0), end)->time == 9 && collide(mover(0), end)->position[0] == 8);
 
-// A point among mirrors: the velocity turned round, the mirror's kept, the time absolute.
+// A point among mirrors: its velocity is reversed, the mirror's stays, the time is absolute.
 constexpr flight<2> photon{{{{0.5, 0.25}}, {{1, 0}}, 0}, 2};
 constexpr flight<2> mirror{{{{2.5, 0.25}}, {{0, 0}}, 0.5, infinity}, 0};
 constexpr auto bounce = *collide(photon, mirror);
@@ -90,7 +90,7 @@ struct scaling {
     }
 };
 static_assert(of_passes<scaling>);
-// 4. Another frame, in which what starts later has moved by then; and elsewhere.
+// 4. Another frame, in which the flight with the later epoch has moved by then; and another place.
 struct frame {
     constexpr bool operator()(const flight<2>& a, const flight<2>& b) const {
         const auto moving = [](flight<2>& f) {
@@ -101,7 +101,7 @@ struct frame {
     }
 };
 static_assert(of_passes<frame>);
-// 6. A collision has a time and nothing else has; an overlap's is the later start.
+// 6. Collisions have a time, other encounters have none. The time of an overlap is the later epoch.
 struct times_of_collisions {
     constexpr bool operator()(const flight<2>& a, const flight<2>& b) const {
         const auto time = time_of_impact(a, b);
@@ -111,7 +111,7 @@ struct times_of_collisions {
 };
 static_assert(of_passes<times_of_collisions>);
 
-// 12. Flights of one since do what their balls do. 13. Clocks may be set otherwise.
+// 12. Flights of equal epochs do what their balls do. 13. One number may be added to all epochs.
 constexpr ball<3> a{{{0, 0, 0}}, {{1, 0.5, 0}}, 1}, b{{{6, 2, 1}}, {{-1, 0, 0.25}}, 1.5};
 static_assert(classify(flight<3>{a, 4}, flight<3>{b, 4}) == classify(a, b));
 static_assert(static_cast<double>(*time_of_impact(flight<3>{a, 0}, flight<3>{b, 0})) ==

@@ -10,7 +10,8 @@ using namespace graze;
 
 constexpr double ulp = 0x1p-52;
 
-// Two pairs have one answer: the encounter, whether they overlap now, and of balls and planes the exact time.
+// Whether two pairs have the same answer: the encounter, whether they overlap at t = 0 and, for balls and planes, the
+// exact time.
 template <class A, class B>
 constexpr bool same(const A& a, const B& b, const A& c, const B& d) {
     if (classify(a, b) != classify(c, d) || overlaps(a, b) != overlaps(c, d)) {
@@ -25,9 +26,10 @@ constexpr bool same(const A& a, const B& b, const A& c, const B& d) {
     }
 }
 
-// The hard cases: what flies along (5, -12)/13 at a distance of 13, and with a radius one unit in the last place more
-// or less; a wall's border, touched by (3, 4, 5), and one unit beside; a plane askew. A law is a function that says
-// whether it holds of a pair; each case is a constant expression of its own, since compilers limit their steps.
+// The hard cases: a ball that flies along (5, -12)/13 at a distance of 13, also with a radius one unit in the last
+// place more or less; a wall's rim, touched by (3, 4, 5), and one unit beside; an oblique plane. A law is a function
+// that says whether it holds for a pair. Each case is a constant expression of its own, since compilers limit their
+// steps.
 constexpr ball<2> still{{0, 0}, {0, 0}, 6};
 constexpr ball<2> passing(double radius) { return {{2, 29}, {5, -12}, radius}; }
 static_assert(classify(passing(7), still) == encounter::graze);
@@ -97,8 +99,8 @@ struct axes {
 };
 static_assert(of_all<axes>);
 
-// 2. The same things may be written otherwise: balls exchanged, a plane's normal in the other sense, a wall's edges
-// exchanged or drawn from the other end.
+// 2. The same things may be written otherwise: balls exchanged, a plane's normal reversed, a wall's edges exchanged or
+// drawn from the other end.
 struct presentation {
     constexpr bool operator()(const ball<2>& a, const ball<2>& b) const { return same(a, b, b, a); }
     constexpr bool operator()(const ball<3>& b, plane<3> p) const {
@@ -162,8 +164,8 @@ struct frame {
 };
 static_assert(of_all<frame>);
 
-// 5. Times are in one order, whatever met whatever: exactly one of <, ==, > holds, exchanged operands exchange it, and
-// what is before a time that is before another is before that one too.
+// 5. All times are in one order, for every kind of pair: exactly one of <, ==, > holds, exchanged operands exchange it,
+// and < is transitive.
 constexpr ball<2> runner{{0, 0}, {1, 0}, 1};
 constexpr impact_time<2> three[] = {*time_of_impact(runner, ball<2>{{4, 0}, {0, 0}, 1 + ulp}),
                                     *time_of_impact(runner, plane<2>{{3, 0}, {1, 0}}),
@@ -173,12 +175,12 @@ static_assert(three[0] < three[1] && !(three[0] == three[1]) && !(three[0] > thr
 static_assert(three[1] > three[0] && !(three[1] < three[0]));
 static_assert(three[2] < three[0] && three[2] < three[1], "transitive");
 static_assert(three[2] == three[2] && !(three[2] < three[2]));
-// Whatever the velocities: a ball that is eight times slower, with an eighth of the way.
+// For any velocities: a ball that is eight times slower, with an eighth of the distance.
 constexpr auto slow = *time_of_impact(ball<2>{{0, 0}, {0.125, 0}, 1}, ball<2>{{2.25, 0}, {0, 0}, 1});
 constexpr auto fast = *time_of_impact(runner, ball<2>{{4, 0}, {0, 0}, 1});
 static_assert(slow == fast && slow == three[1] && three[0] < slow && slow > three[2]);
 
-// 6. A collision has a time and nothing else has; an overlap's is 0; a graze's is -h/a.
+// 6. Collisions have a time, other encounters have none. The time of an overlap is 0, that of a graze -h/a.
 struct times_of_collisions {
     template <class A, class B>
     constexpr bool operator()(const A& a, const B& b) const {
@@ -192,10 +194,10 @@ static_assert(*time_of_impact(passing(7), still) == 2.0);
 
 // 7. A plane is never missed and never grazed.
 static_assert(classify(at_plane, askew) != encounter::miss && classify(at_plane, askew) != encounter::graze);
-// Parallel to it, and one unit in the last place from that, to either side.
+// A ball that moves parallel to the plane, and one unit in the last place to either side of that.
 constexpr encounter along(double up) { return classify(ball<2>{{0, 3}, {1, up}, 1}, plane<2>{{0, 0}, {0, 1}}); }
 static_assert(along(0) == encounter::recede && along(ulp) == encounter::recede && along(-ulp) == encounter::hit);
-// What cuts it and approaches overlaps, from either side; what only touches it does not.
+// A ball that cuts the plane and gets deeper overlaps it, from either side; a ball that only touches does not.
 constexpr plane<2> ground{{0, 0}, {0, 1}};
 constexpr ball<2> falling(double y, double u) { return {{0, y}, {1, u}, 1}; }
 static_assert(classify(falling(1 - ulp, -1), ground) == encounter::overlap &&
@@ -220,7 +222,7 @@ static_assert(*time_of_impact(passing(90), still) == *time_of_impact(passing(80)
 constexpr auto touching = *time_of_impact(ball<2>{{13, 0}, {-1, 0}, 7}, still);
 static_assert(*time_of_impact(passing(90), still) == touching && touching == *time_of_impact(passing(90), still));
 
-// 10. overlap is what overlaps and does not recede.
+// 10. classify says overlap if and only if the pair overlaps and does not recede.
 struct overlap_now {
     template <class A, class B>
     constexpr bool operator()(const A& a, const B& b) const {
@@ -258,11 +260,11 @@ constexpr auto irrational = *time_of_impact(passing(8), still);
 static_assert(among_numbers(irrational) && irrational.lower() < irrational.upper() && irrational != irrational.lower());
 static_assert(irrational < 2.0 && three[1] == 2.0 && irrational < three[1], "through a number");
 static_assert(irrational > 0.0 && irrational > -1.0 && irrational < 4.0 && irrational < 0x1p40, "beyond both roots");
-// The nearest number is one of the two, in one case each.
+// The nearest number is lower() or upper(): one case for each.
 constexpr auto other = *time_of_impact(passing(9), still);
 static_assert(static_cast<double>(irrational) == irrational.upper() && static_cast<double>(other) == other.lower());
 static_assert(among_numbers(other) && other.lower() < other.upper());
-// Of an overlap all three are 0.
+// For an overlap all three are 0.
 constexpr auto at_once = *time_of_impact(passing(90), still);
 static_assert(among_numbers(at_once) && at_once.upper() == 0 && static_cast<double>(at_once) == 0);
 

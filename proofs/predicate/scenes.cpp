@@ -1,5 +1,5 @@
-// Whole scenes as constants: what a player expects of them, exactly. In doubles where every number is one, otherwise in
-// rationals and their square roots.
+// Whole scenes as constants: exactly what a player expects of them. In doubles where every number is a double,
+// otherwise in rationals and their square roots.
 #include <graze/graze.hpp>
 
 #include "../rational.hpp"
@@ -23,7 +23,7 @@ static_assert(classify(lower, upper) == encounter::graze);
 static_assert(solve(lower, upper).time == surd(5));
 static_assert(solve(lower, upper).velocity_a[0] == surd(1) && solve(lower, upper).normal[1] == surd(-1));
 
-// ---- Conservation in Q(√D): momentum and energy, for ever and to the last digit.
+// ---- Conservation in Q(√D): momentum and energy, exactly.
 
 template <int N>
 constexpr surd kinetic(const vec<N, surd>& v, const rational& m) {
@@ -61,8 +61,8 @@ constexpr auto against_the_earth = solve_with_inverse_masses(
 static_assert(against_the_earth.velocity_b == detail::zero_vector<2, surd>() &&
               squared_norm(against_the_earth.velocity_a) == surd(1) && sign(against_the_earth.time.q()) != 0);
 
-// Whatever the variant of D and the form of the root (which over √(4D) is written otherwise), τ solves (10), and is
-// the earlier root: the slope there is negative.
+// Whatever the variant of D and the form of the root (which looks different over √(4D)), τ solves (10) and is the
+// earlier root: the slope there is negative.
 constexpr exact_ball<2> off_centre{{{10, 2}}, {{-1, 0}}, 1, 5};
 template <variant V, root_form F>
 constexpr bool solves_the_quadratic() {
@@ -124,7 +124,7 @@ constexpr auto in_corner = solve(exact_ball<3>{{{4, 4, 4}}, {{1, 0, 0}}, 2}, squ
 static_assert(in_corner.what == encounter::overlap && in_corner.where == feature::corner &&
               squared_norm(in_corner.normal) == surd(1) && squared_norm(in_corner.velocity) == surd(1));
 
-// ---- An exact tie of irrational times, between a ball that is met and a corner that is.
+// ---- An exact tie of irrational times, between a collision with a ball and one with a corner.
 
 constexpr ball<2> thrown{{0, 0}, {2, 1}, 1};
 constexpr auto at_point = *time_of_impact(thrown, ball<2>{{5, 3}, {0, 0}, 0});
@@ -138,7 +138,7 @@ static_assert(solve(exact_ball<2>{{{0, 0}}, {{2, 1}}, 1}, wall<2, rational>{{{5,
 
 using cradle = std::array<ball<2>, 5>;
 
-// The earliest of the neighbours' collisions, resolved. No time passes between the impacts of balls that touch.
+// Resolves the earliest collision of neighbours. No time passes between the collisions of balls that touch.
 constexpr bool next_impact(cradle& balls) {
     std::size_t first = balls.size();
     for (std::size_t i = 0; i + 1 < balls.size(); ++i) {
@@ -192,7 +192,7 @@ static_assert(broken.velocity_a == vec<2, double>{{0, 0}} && broken.velocity_b =
 constexpr ball<2> driven{front.position, broken.velocity_b, 5};
 static_assert(classify(driven, left) == encounter::hit && *time_of_impact(driven, left) == 0.0 &&
               *time_of_impact(driven, left) == *time_of_impact(driven, right));
-// Whichever is resolved first, it leaves along the line of centres: in rationals, where (4, 3)/5 is a number.
+// Whichever of the two is resolved first leaves along the line of centres: in rationals, where (4, 3)/5 is a number.
 constexpr auto to_left = solve(exact_ball<2>{{{0, 0}}, {{1, 0}}, 5}, exact_ball<2>{{{8, 6}}, {{0, 0}}, 5});
 constexpr auto to_right = solve(exact_ball<2>{{{0, 0}}, {{1, 0}}, 5}, exact_ball<2>{{{8, -6}}, {{0, 0}}, 5});
 static_assert(to_left.time == surd(0) && to_left.velocity_b[0] == surd(rational(16, 25)) &&

@@ -1,6 +1,6 @@
-// A ball and a rectangle, over a few starts and velocities: the encounter by the least distance, which is a piecewise
-// quadratic function of time and rational; where there is one, the contact in Q(√d), by its definition. (The encounter
-// alone, over many: formula/wall_encounter.cpp.)
+// A ball and a rectangle, over a few starts and velocities: the encounter by the least distance, whose square is
+// rational and a piecewise quadratic function of time; for a collision, the contact in Q(√d), by its definition. (The
+// encounter alone, over many starts: formula/wall_encounter.cpp.)
 #include <graze/solve.hpp>
 
 #include "../rational.hpp"
@@ -113,8 +113,8 @@ constexpr bool right(const exact_ball<N>& b) {
     if (!is_collision(s.what)) {
         return true;
     }
-    // At τ the ball is where it flies to, is touched where it is closest, at the distance r, and still gets closer. A
-    // graze is an edge's or a corner's, even where the ball slides over the face from there.
+    // At τ the ball is where its flight takes it; it touches the wall's closest point, at the distance r, and still
+    // gets closer. A graze is of an edge or a corner, even if the ball slides over the face from there.
     surd distance = surd(0);
     surd approach = surd(0);
     int clamped = 0;
