@@ -1,4 +1,4 @@
-// How hard a pair is by itself, whatever computes it.
+// How hard a pair is in itself, for any computation.
 #pragma once
 
 #include "truth.hpp"

@@ -1,7 +1,7 @@
 // From exact values to a number type, each component correctly rounded once.
 //
-// A type whose values aren't binary floating-point numbers brings a specialisation of converter, in its own header
-// (convert_gmp.hpp, convert_cgal.hpp, ...) or its translation unit.
+// A type whose values aren't binary floating-point numbers has a specialisation of converter, in its own header
+// (convert_gmp.hpp, convert_cgal.hpp, ...) or in its translation unit.
 #pragma once
 
 #include "rounding.hpp"

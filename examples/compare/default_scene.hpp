@@ -1,4 +1,4 @@
-// What is compared when no scene is given: a pool break, embedded in the program.
+// The default scene, a pool break, embedded in the program.
 #pragma once
 
 #include "pairs.hpp"

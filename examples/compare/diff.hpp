@@ -1,4 +1,4 @@
-// What two comparisons say of the same rows.
+// The differences of two comparisons, row by row.
 #pragma once
 
 #include "results.hpp"

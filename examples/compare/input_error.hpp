@@ -1,4 +1,4 @@
-// What bad input ends in.
+// The exception for bad input.
 #pragma once
 
 #include <stdexcept>

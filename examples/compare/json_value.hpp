@@ -1,4 +1,4 @@
-// A value of a JSON file with its place in it, and what a scene asks of it.
+// A value of a JSON file, its place in the file, and the checks that a scene needs.
 #pragma once
 
 #include "json_tree.hpp"

@@ -1,4 +1,4 @@
-// On what a comparison ran.
+// The machine on which a comparison ran.
 #pragma once
 
 #include "results.hpp"

@@ -58,7 +58,7 @@ std::vector<measurable> types_of(const options& o) {
     return chosen;
 }
 
-// That a file could be written, before hours of measuring.
+// Throws if a file cannot be written, before hours of measuring.
 void check_writable(const std::string& option, const std::string& path) {
     namespace fs = std::filesystem;
     if (path.empty()) {

@@ -1,4 +1,4 @@
-// A number type that can be measured, and what a measurement is asked to do.
+// A number type that can be measured, and the plan of a measurement.
 #pragma once
 
 #include "group.hpp"
@@ -33,7 +33,7 @@ struct measurement_plan {
     bool every_pair = false;      // no limit on scoring
 };
 
-// Solves the pairs of one group, converted to what it computes in beforehand, by each method that it has.
+// Solves the pairs of one group, converted to its number type beforehand, by each of its methods.
 class solver {
   public:
     virtual ~solver() = default;
@@ -50,7 +50,7 @@ struct measurable {
     std::unique_ptr<solver> (*prepare)(const group& pairs) = nullptr; // null where the type is another's name
 };
 
-// A row for each method that was asked for, but for the names of type and group.
+// A row for each method of the plan, without the names of type and group.
 [[nodiscard]] std::vector<row> measure(const measurable& type, const group& pairs, const measurement_plan& plan);
 
 } // namespace compare

@@ -14,7 +14,7 @@ namespace compare {
 
 [[nodiscard]] const char* to_string(pair_kind kind) noexcept; // "ball-ball", "ball-plane", "ball-wall"
 
-// The pairs of one kind that meet alike: how many the scene has and how many were taken.
+// The pairs of one kind with the same encounter: how many the scene has, and how many are in the sample.
 struct stratum {
     pair_kind kind;
     graze::encounter what;
@@ -34,14 +34,14 @@ struct scene_pairs {
 inline constexpr std::size_t sample_size = 2000;
 inline constexpr std::size_t every_pair = static_cast<std::size_t>(-1);
 
-// Every pair of the scene if there are at most `largest`; otherwise about that many, drawn without replacement from
-// each stratum: each gets an equal share of `largest`, or all it has, and what is left over goes to the larger ones.
-// The same scene, largest and seed give the same sample on every platform. group is copied into the problems.
+// Every pair of the scene if there are at most `largest`. Otherwise about that many, drawn without replacement from
+// each stratum: each stratum gets an equal share of `largest`, or all of its pairs, and the rest goes to the larger
+// strata. The same scene, largest and seed give the same sample on every platform. group is copied into the problems.
 template <int N>
 [[nodiscard]] scene_pairs<N> pairs_of(const exact_scene<N>& scene, const std::string& group,
                                       std::size_t largest = sample_size, std::uint64_t seed = 1);
 
-// How a pair meets, decided exactly in integers.
+// A pair's encounter, decided exactly in integers.
 template <int N>
 [[nodiscard]] graze::encounter encounter_of_pair(const problem<N>& pair);
 

@@ -1,4 +1,4 @@
-// What the compare program compares on: pairs with exact rational data, whatever they came from.
+// The pairs that the program compares on, with exact rational data, from whatever source.
 #pragma once
 
 #include <graze/number/adapter/boost.hpp>

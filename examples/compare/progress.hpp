@@ -1,4 +1,4 @@
-// What a long run tells meanwhile.
+// Shows the progress of a long run.
 #pragma once
 
 #include <cstddef>

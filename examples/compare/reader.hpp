@@ -1,4 +1,4 @@
-// How the value that a number type computed is read, exactly.
+// Reads the value that a number type computed, exactly.
 #pragma once
 
 #include "convert.hpp"
@@ -24,7 +24,7 @@ struct reader<T> {
     }
 };
 
-// Of an exact type: whether x is what is due, found in the type itself.
+// For an exact type: whether x is the true value, decided in the type itself.
 template <class T>
 [[nodiscard]] bool is_exactly_right(const T& x, const true_value& right) {
     return graze::sign(right.exactly().q()) == 0 && graze::sign(T(x - convert<T>(right.exactly().p()))) == 0;
@@ -57,7 +57,7 @@ struct reader<graze::sqrt_extension<T>> {
     }
 };
 
-// A base for readers of exact rational types, which bring
+// A base for readers of exact rational types, which provide
 //   static exact value_of(const T& x)
 template <class T>
 struct exact_reader {

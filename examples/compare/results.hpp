@@ -1,4 +1,4 @@
-// What a run of the comparison found: plain data, which the table, the JSON file, the report and the diff all read.
+// The results of a comparison: plain data, which the table, the JSON file, the report and the diff all read.
 // docs/reference/compare-json.md describes the same fields as JSON.
 #pragma once
 
@@ -24,8 +24,8 @@ inline constexpr std::size_t quantity_count = quantity_names.size();
 inline constexpr std::array<double, 9> quantile_shares = {0.0, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 1.0};
 
 // Errors |computed - exact| against the exact real value, in fractional units of the last place that the exact value
-// has as a double: 2^(floor(log2|exact|) - 52), whatever the exponent's range. Of a vector: the largest component's
-// error, in units of the last place of the exact vector's largest component (of both balls' together).
+// has as a double: 2^(floor(log2|exact|) - 52), for any exponent. For a vector: the largest component's error, in units
+// of the last place of the exact vector's largest component (of both balls' vectors together).
 struct error_statistics {
     std::size_t count = 0;             // values measured; those of not_finite are among them, those of unscaled not
     std::size_t exact = 0;             // of these without any error
@@ -40,8 +40,8 @@ struct error_statistics {
     std::map<int, std::size_t> histogram; // b -> errors in [2^b, 2^(b+1)) units of the last place; finite, not zero
 };
 
-// How far a conserved quantity is from conserved after the impulse: |after - before| over the sum of the magnitudes
-// before, from exact sums of the computed velocities.
+// By how much a conserved quantity changes in the collision: |after - before| over the sum of the magnitudes before,
+// from exact sums of the computed velocities.
 struct defect_statistics {
     std::size_t count = 0;
     std::size_t zero = 0;

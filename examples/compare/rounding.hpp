@@ -33,7 +33,7 @@ struct rounded_value {
 [[nodiscard]] rounded_value round_to(const exact& x, const binary_format& format,
                                      rounding direction = rounding::to_nearest);
 
-// x rounded to nearest, ties to even, subnormals kept; ±infinity where that is what rounding gives. Zero is +0.
+// x rounded to nearest, ties to even, subnormals kept; ±infinity if x rounds to that. Zero is +0.
 [[nodiscard]] double nearest_double(const exact& x);
 
 // The largest double <= x and the smallest one >= x, infinities included.

@@ -1,4 +1,4 @@
-// Scene files in JSON. Their numbers are taken as they are written, not as doubles.
+// Scene files in JSON. Numbers are read exactly as they are written, not as doubles.
 //
 //   {"dimension": 2, "name": "...", "description": "...", "source": "...",
 //    "balls":  [{"position": [x, y], "velocity": [x, y], "radius": r, "mass": m}],

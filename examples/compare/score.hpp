@@ -1,4 +1,4 @@
-// What a number type answered, held against the truth.
+// The answers of a number type, compared with the truth.
 #pragma once
 
 #include "results.hpp"
@@ -12,7 +12,7 @@ namespace compare {
 
 enum class outcome { answered, undecided, failed };
 
-// What a type answered to one pair. Vectors are laid end to end as in truth.
+// A type's answer for one pair. Vectors are laid end to end, as in truth.
 struct answer {
     outcome how = outcome::answered;
     graze::encounter what = graze::encounter::recede;
@@ -22,14 +22,14 @@ struct answer {
     std::vector<computed> positions, velocities;
 };
 
-// Whether a pair's answer is held against the truth at all, and rightly decided.
+// Whether the type made a decision, and it is the true one.
 [[nodiscard]] bool same_decision(const answer& given, const truth& right);
 
 // Collects the answers of one row.
 class row_score {
   public:
     void add(const answer& given, const truth& right, int hardness);
-    // Fills in all of the row but its names and times.
+    // Fills in the row, except for its names and times.
     void write_to(row& result) const;
 
   private:

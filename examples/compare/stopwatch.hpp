@@ -1,4 +1,4 @@
-// Time, and how it is taken of things that are compared.
+// Measures the time of candidates that are compared.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ class stopwatch {
     clock::time_point start_ = clock::now();
 };
 
-// run(n) works on the first n of what is available.
+// run(n) works on the first n of the available items.
 struct timed_candidate {
     std::function<void(std::size_t)> run;
     std::size_t available = 0;
@@ -28,8 +28,8 @@ struct timing {
     std::size_t pairs = 0, repeats = 0;
 };
 
-// Times the candidates in turn, so that what changes on the machine meanwhile falls on all of them; at least three
-// repeats of at least 24 each, or all there are. seconds is what to aim at for all together.
+// Times the candidates in turn, so that changes of the machine's load affect all of them: at least three repeats of at
+// least 24 items each, or of all items. seconds is the target for all candidates together.
 [[nodiscard]] std::vector<timing> time_interleaved(const std::vector<timed_candidate>& candidates, double seconds);
 
 } // namespace compare

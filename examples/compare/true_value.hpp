@@ -12,7 +12,7 @@ namespace compare {
 
 using exact_real = graze::sqrt_extension<exact>;
 
-// x with its root taken if that is rational, so that q is 0 exactly when x is rational.
+// x, with its root evaluated if that is rational. So q is 0 if and only if x is rational.
 [[nodiscard]] exact_real simplified(const exact_real& x);
 
 // Whether x and y are the same real number, also over different roots.
@@ -28,7 +28,7 @@ class root_memory {
     wide root_ = 0;
 };
 
-// x to 2^-880: its conjugate stands in where p and q√d would cancel.
+// x to 2^-880, by way of its conjugate where p and q√d would cancel.
 [[nodiscard]] wide to_wide(const exact_real& x, root_memory& roots);
 
 class true_value {
@@ -48,7 +48,7 @@ class true_value {
     double nearest_ = 0;
 };
 
-// What a number type computed, exactly, in one of the forms that types have.
+// The value that a number type computed, exactly, in one of the forms that types have.
 struct not_finite {};
 struct exactly_right {}; // the exact value itself
 struct interval {

@@ -1,4 +1,4 @@
-// What the right answer to a pair is: graze::solve in exact rationals, with everything else in Q(√D).
+// The truth for a pair: graze::solve in exact rationals, with everything else in Q(√D).
 #pragma once
 
 #include "true_value.hpp"
@@ -11,8 +11,8 @@
 
 namespace compare {
 
-// The balls' masses up to a common factor and velocities before the impulse. Not conserving: an infinite mass takes
-// what it gets.
+// The balls' masses, up to a common factor, and their velocities before the collision. An infinite mass takes up
+// momentum and, if it moves, energy; these are then not conserved.
 struct before_impact {
     int dimension = 0;
     bool momentum = false, energy = false; // whether each is conserved
@@ -30,8 +30,8 @@ struct truth {
     true_value time;
     std::vector<true_value> positions, velocities;
     before_impact before;
-    // Relative condition numbers: Σ |x ∂f/∂x| / |f| over the inputs x. Absent where f is 0 or, for the time, there is
-    // none; infinite for the time of a graze.
+    // Relative condition numbers: Σ |x ∂f/∂x| / |f| over the inputs x. Absent if f is 0 or, for the time, if there is
+    // no time; infinite for the time of a graze.
     std::optional<double> time_condition, discriminant_condition;
 };
 

@@ -1,5 +1,4 @@
-// Runs gnuplot without a shell: the script goes in through a file without a name, the picture comes out through
-// another.
+// Runs gnuplot without a shell: the script goes in through an unnamed file, and the picture comes out through another.
 #pragma once
 
 #include <stdexcept>
@@ -7,13 +6,12 @@
 
 namespace compare::report {
 
-// gnuplot is not there, or did not draw. what() says which, in words for the reader of the report.
+// gnuplot is missing, or did not draw. what() says which, in words for the reader of the report.
 struct gnuplot_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// What gnuplot prints when it is given the script. Throws gnuplot_error when it cannot be started, fails or prints
-// nothing.
+// The output of gnuplot for the script. Throws gnuplot_error if gnuplot cannot be started, fails or prints nothing.
 [[nodiscard]] std::string run_gnuplot(const std::string& script);
 
 } // namespace compare::report

@@ -1,4 +1,4 @@
-// How a type is marked where it is a point: its colour by kind, its shape by variant.
+// The mark of a type that is drawn as a point: its colour by kind, its shape by variant.
 #pragma once
 
 #include "summary.hpp"

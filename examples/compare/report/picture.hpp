@@ -1,8 +1,8 @@
 // A picture that gnuplot draws and that a page colours.
 //
-// gnuplot is given no text and no colour of the page: only marks, which are exchanged for the escaped text and for CSS
-// variables when the drawing comes back. So nothing that a scene file says can become a command, and one drawing serves
-// light, dark and paper.
+// gnuplot gets placeholders instead of the page's texts and colours. In its drawing they are replaced by the escaped
+// texts and by CSS variables. So no text of a scene file can become a command, and one drawing serves light, dark and
+// paper.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace compare::report {
 
-// What a colour is for. The style sheet gives each its variable.
+// The roles of colours. The style sheet has a variable for each.
 enum class ink {
     text,
     muted,
@@ -35,7 +35,7 @@ inline constexpr int ink_count = 14;
 
 class picture {
   public:
-    // name: letters and hyphens. Sizes in CSS pixels. description: what a reader who cannot see it is told.
+    // name: letters and hyphens. Sizes in CSS pixels. description: the text for readers who cannot see the picture.
     picture(std::string name, int width, int height, std::string description);
 
     [[nodiscard]] int width() const { return width_; }
@@ -69,7 +69,7 @@ class picture {
     std::vector<std::string> texts_;
 };
 
-// A number as gnuplot reads it, in full.
+// A number in gnuplot's syntax, in full precision.
 [[nodiscard]] std::string exactly(double value);
 
 } // namespace compare::report

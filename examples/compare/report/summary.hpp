@@ -1,4 +1,4 @@
-// What the pictures and tables need of the results, put together once.
+// The parts of the results that pictures and tables need, collected once.
 #pragma once
 
 #include "../results.hpp"
@@ -39,10 +39,10 @@ struct candidate {
 // Those measured in every group, or in the one named, in the order of the rows, the front marked.
 [[nodiscard]] std::vector<candidate> candidates(const results& found, const std::string& group = {});
 
-// Whether this is the plain thing that a programmer writes first: double, b² - 4ac, the root as printed.
+// Whether this is what a programmer writes first: double, b² - 4ac, the root as printed.
 [[nodiscard]] bool is_plain_double(const std::string& type, const std::string& variant, const std::string& root);
 
-// What a picture with a line a type draws: the first few of the results' types, each in a telling variant.
+// The lines of a picture with one line for each type: the first few of the results' types, each in a typical variant.
 struct line {
     std::string type, variant, root;
     int digits = 0;

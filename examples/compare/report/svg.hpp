@@ -1,4 +1,4 @@
-// From what gnuplot draws to what a page holds.
+// From gnuplot's drawing to an element of a page.
 #pragma once
 
 #include "picture.hpp"
@@ -9,12 +9,12 @@
 
 namespace compare::report {
 
-// What stands in a script for a text and for a colour.
+// The placeholders in a script for a text and for a colour.
 [[nodiscard]] std::string mark_of_text(std::size_t index);
 [[nodiscard]] std::string mark_of_colour(ink role);
 
-// gnuplot's SVG as an element to stand in a page: marks exchanged for escaped texts and CSS variables, without ids,
-// references, scripts, fonts of its own and empty groups. Throws gnuplot_error if it is not the SVG that is expected.
+// gnuplot's SVG as an element of a page: placeholders replaced by escaped texts and CSS variables; no ids, references,
+// scripts, fonts of its own or empty groups. Throws gnuplot_error if the SVG is not as expected.
 [[nodiscard]] std::string coloured(const std::string& drawing, const std::string& name, const std::string& description,
                                    const std::vector<std::string>& texts);
 

@@ -14,11 +14,11 @@ namespace compare::report {
 
 [[nodiscard]] std::string groups_table(const results& found);
 [[nodiscard]] std::string types_table(const results& found);
-// Digits wanted by group: in each the cheapest type that decides right and is right to so many digits, and its cost.
+// For each group and number of digits: the cheapest type that decides right and is right to these digits, and its cost.
 [[nodiscard]] std::string matrix_table(const results& found);
 // All rows of one group.
 [[nodiscard]] std::string rows_table(const results& found, const group_information& group);
-// Every kind of wrong or open decision, a row a group, type and variant that has one; empty where there is none.
+// Every kind of wrong or open decision: a row for each group, type and variant that has one; empty if there are none.
 [[nodiscard]] std::string decisions_table(const results& found);
 // How wide the times of interval types are, and whether the truth is within; empty without such types.
 [[nodiscard]] std::string intervals_table(const results& found);

@@ -1,4 +1,4 @@
-// What every report says, as HTML.
+// The fixed texts of every report, as HTML.
 #pragma once
 
 namespace compare::report::words {

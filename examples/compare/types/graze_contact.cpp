@@ -1,5 +1,5 @@
-// graze's own results beside the formulas in number types: decisions exact, times, positions and velocities correctly
-// rounded, by graze::collide. It has one way to find them, which stands among the variants as the stable lagrange.
+// graze's own results beside the formulas in number types: exact decisions, and correctly rounded times, positions and
+// velocities, by graze::collide. Its single form is listed as lagrange/stable.
 #include "../measure.hpp"
 #include "types.hpp"
 
@@ -108,7 +108,7 @@ class contact_solver final : public solver {
         }
     }
 
-    // What a contact does not tell: which encounter it is, and which edge or corner.
+    // The decisions that a contact does not contain: the encounter, and which edge or corner.
     static void decide(const input<N, T>& pair, answer& given) {
         switch (pair.kind) {
         case pair_kind::ball_ball:
