@@ -1,4 +1,4 @@
-// Headless Chromium as eyes for tests: opens a page of our own and tells what is to be seen.
+// Headless Chromium as the eyes of tests: opens a page of ours and reports what is visible.
 #pragma once
 
 #include <filesystem>

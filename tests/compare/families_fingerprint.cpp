@@ -1,5 +1,5 @@
-// Prints a line for each family: its name and a hash of its first 1000 pairs in the plane and in space.
-// families_fingerprint.txt is what it prints everywhere. Standard library alone.
+// Prints a line for each family: its name and a hash of its first 1000 pairs in the plane and in space. It must print
+// families_fingerprint.txt on every platform. It needs only the standard library.
 #include "../../examples/families/families.hpp"
 
 #include <cinttypes>

@@ -1,4 +1,4 @@
-// The families: each has the property that it is named for, in exact arithmetic.
+// The families: each has the property in its name, in exact arithmetic.
 #include "exact_doubles.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// A scene's pairs: all of them, or a sample of which every stratum is as large as it says.
+// A scene's pairs: all of them, or a sample whose strata are as large as it says.
 #include "exact_doubles.hpp"
 #include "families.hpp"
 #include "oracle/encounter.hpp"

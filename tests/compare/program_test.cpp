@@ -1,4 +1,4 @@
-// graze-compare as its user meets it: what it prints, what it writes, and how it ends.
+// graze-compare as its user sees it: what it prints, what it writes, and how it ends.
 #include "json_results.hpp"
 #include "workshop.hpp"
 

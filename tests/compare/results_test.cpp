@@ -1,4 +1,4 @@
-// Results as JSON and back, what is concluded from them, and what differs between two.
+// Results as JSON and back, the conclusions from them, and the differences between two.
 #include "answer.hpp"
 #include "diff.hpp"
 #include "input_error.hpp"

@@ -1,4 +1,4 @@
-// `graze-compare run` as its user meets it.
+// `graze-compare run` as its user sees it.
 #include "workshop.hpp"
 
 #include <doctest/doctest.h>

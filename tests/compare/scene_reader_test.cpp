@@ -1,4 +1,4 @@
-// Scene files: what is read, and what every kind of bad file is told, word for word.
+// Scene files: what is read, and the message for every kind of bad file, word for word.
 #include "default_scene.hpp"
 #include "exact_text.hpp"
 #include "rounding.hpp"
@@ -33,7 +33,7 @@ std::string message_for_file(const std::string& path) {
     return "no error";
 }
 
-// Two balls in space and what is put in their places.
+// Two balls in space, with replacements in their text.
 struct scene_with {
     std::string position = "[0, 0, 0]", velocity = "[1, 0, 0]", radius = "1", more = "";
     std::string top = "";

@@ -1,4 +1,4 @@
-// Answers held against the truth: which decision was wrong, and which values are compared.
+// Answers compared with the truth: which decision was wrong, and which values are compared.
 #include "score.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Where a test runs graze-compare as its user does.
+// A temporary folder in which a test runs graze-compare as its user does.
 #pragma once
 
 #include <doctest/doctest.h>

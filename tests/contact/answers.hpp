@@ -1,4 +1,4 @@
-// All that the library says of a pair that meets, compiled once for all tests of contacts.
+// All answers of the library for a pair that collides, compiled once for all tests of contacts.
 #pragma once
 
 #include <graze/contact/contact.hpp>

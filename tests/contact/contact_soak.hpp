@@ -12,7 +12,7 @@
 
 namespace contact_soak {
 
-// What was seen of one family in one dimension and one type.
+// The counts of one family in one dimension and one type.
 struct tally {
     std::uint64_t pairs = 0, contacts = 0, components = 0, ties = 0, exact = 0, wrong = 0;
 

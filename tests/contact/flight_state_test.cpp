@@ -1,5 +1,5 @@
-// What is said of flights does not depend on the rounding direction or on whether subnormals are flushed: decisions,
-// orders of times, contacts.
+// Decisions, orders of times and contacts of flights do not depend on the rounding direction or on whether subnormals
+// are flushed.
 #include "../environments/state.hpp"
 #include "../predicate/flight_answers.hpp"
 #include "../predicate/flight_families.hpp"

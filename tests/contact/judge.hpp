@@ -1,4 +1,4 @@
-// A contact judged by the oracle, component by component.
+// Judges a contact by the oracle, component by component.
 #pragma once
 
 #include "../oracle/contact.hpp"

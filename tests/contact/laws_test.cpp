@@ -1,4 +1,5 @@
-// What holds of every contact: the laws of symmetry, what stays as it was, bad input; of pairs of every family.
+// Properties of every contact, on pairs of every family: the laws of symmetry, the values that do not change, bad
+// input.
 #include "../predicate/transform.hpp"
 #include "answers.hpp"
 
@@ -34,7 +35,7 @@ void each_pair(F f) {
     }
 }
 
-// A contact of which length, velocity and normal have made the vectors of each kind anew.
+// A contact whose vectors have been replaced by length(v), velocity(v) and normal(v), by kind.
 template <int N, class L, class V, class E>
 graze::contact<N> apply(graze::contact<N> c, L length, V velocity, E normal) {
     c.position_a = length(c.position_a);

@@ -1,4 +1,4 @@
-// Contacts and rounded times are the same bits whatever the rounding direction and whether subnormals are flushed.
+// Contacts and rounded times have the same bits in every rounding direction, whether or not subnormals are flushed.
 #include "../environments/state.hpp"
 #include "../soak/soak.hpp"
 #include "answers.hpp"

@@ -1,4 +1,4 @@
-// Predicates asked in the middle of a caller's own arithmetic, where a number need not have been stored yet.
+// Predicates called in the middle of a caller's own arithmetic, where a number may not have been stored yet.
 #pragma once
 
 namespace environments {

@@ -1,4 +1,4 @@
-// What is hashed: contacts of one kind of pair, dimension and type.
+// The hash of the contacts of one kind of pair, dimension and type.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The subjects "decide": what becomes of a pair, and whether it overlaps.
+// The subjects "decide": a pair's encounter, and whether it overlaps.
 #pragma once
 
 #include "subject.hpp"

@@ -1,5 +1,5 @@
-// Rows of exact numbers to ask about: small whole numbers, in which every tie and degenerate case is frequent, brought
-// to where an environment might do harm.
+// Rows of exact numbers for questions: small whole numbers, for which all ties and degenerate cases are frequent, moved
+// to places where an environment might do harm.
 #pragma once
 
 #include "../../examples/families/pair.hpp"

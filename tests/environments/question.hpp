@@ -93,7 +93,7 @@ template <int N, class T>
                                  : with_shapes<partner::wall, N>(numbers.data(), meet);
 }
 
-// A valid pair, and what becomes of it.
+// A valid pair and its encounter.
 template <class T>
 struct case_of {
     partner with;
@@ -111,7 +111,7 @@ template <int N, class T>
     return case_of<T>{x.with, family, *numbers, answer_of<N>(x.with, *numbers)};
 }
 
-// What becomes of it, and whether it overlaps: 2 encounter + overlaps.
+// Its encounter, and whether it overlaps: 2 encounter + overlaps.
 template <int N, class T>
 void ask_decision(questions& q, const case_of<T>& c) {
     ask<N>(q, "decide", name_of(c.with), c.family, 2 * static_cast<int>(c.truth.what) + (c.truth.overlaps ? 1 : 0),

@@ -1,5 +1,5 @@
-// A pair as a row of numbers: how the file of questions keeps it. Position, velocity and radius of the ball; then the
-// same of another ball, or point and normal of a plane, or corner and edges of a wall.
+// A pair as a row of numbers, as in the file of questions: position, velocity and radius of the ball; then the same of
+// another ball, or point and normal of a plane, or corner and edges of a wall.
 #pragma once
 
 #include <graze/shape/ball.hpp>

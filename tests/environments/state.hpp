@@ -1,4 +1,4 @@
-// The part of the floating-point environment that is state: the rounding direction, and what becomes of subnormals.
+// The part of the floating-point environment that is state: the rounding direction and the flushing of subnormals.
 #pragma once
 
 namespace environments {

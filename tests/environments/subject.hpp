@@ -1,5 +1,5 @@
-// What the predicates are asked in one environment: functions from a row of bits to an answer. Needs the standard
-// library and graze alone, so that it runs where there is nothing else.
+// The questions to the predicates in one environment: functions from a row of bits to an answer. Needs only the
+// standard library and graze, so that it runs where there is nothing else.
 #pragma once
 
 #include "row.hpp"

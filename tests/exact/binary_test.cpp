@@ -1,4 +1,4 @@
-// Numbers taken apart and lifted to one scale, without an error.
+// Numbers as significand and exponent, and lifted to a common scale, without an error.
 #include "../machine/wide_values.hpp"
 
 #include <graze/exact/binary.hpp>

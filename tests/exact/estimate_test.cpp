@@ -1,4 +1,4 @@
-// Estimates: the exact value is within the error that is said, through sums and products of any sizes.
+// Estimates: the exact value is within the stated error, through sums and products of any sizes.
 #include "../machine/wide_values.hpp"
 
 #include <graze/exact/estimate.hpp>

@@ -1,5 +1,5 @@
-// The one rounding routine against the oracle: numbers of every size, ties, what lies beside them by less than any
-// estimate tells, the ends of the formats; and its parts, the leading bits and their arithmetic, against GMP.
+// The one rounding routine against the oracle: numbers of every size, ties, numbers closer to a tie than any estimate
+// can tell, the ends of the formats; and its parts, the leading bits and their arithmetic, against GMP.
 #include "../environments/state.hpp"
 #include "../machine/wide_values.hpp"
 #include "../oracle/rounding.hpp"

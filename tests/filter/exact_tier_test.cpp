@@ -1,4 +1,4 @@
-// The integers that a formula runs in are as wide as its inputs need, and hold their values.
+// The integers in which a formula runs are as wide as its inputs need, and hold their values.
 #include <graze/filter/exact_tier.hpp>
 #include <graze/formula/quadratic.hpp>
 #include <graze/pair/pair.hpp>

@@ -1,4 +1,4 @@
-// The filter of any formula of a motion: when it may be asked, and that it is silent where it is not certain.
+// The filter of any formula of a motion: its range, and that it answers `open` where it is not certain.
 #include <graze/filter/scaled_filter.hpp>
 #include <graze/formula/plane_crossing.hpp>
 #include <graze/pair/rounded_motion.hpp>

@@ -1,4 +1,4 @@
-// From a computed value to a sign that is certain.
+// From a computed value to a certain sign.
 #include <graze/filter/static_filter.hpp>
 
 #include <doctest/doctest.h>

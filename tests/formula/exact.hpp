@@ -1,4 +1,4 @@
-// What graze::solve gives in an exact number type T, against the oracle and against the laws of the matter.
+// The results of graze::solve in an exact number type T, against the oracle and against the laws of physics.
 #pragma once
 
 #include "../oracle/contact.hpp"

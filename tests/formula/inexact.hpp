@@ -1,5 +1,5 @@
-// What graze::solve gives in an inexact number type T: every value within the bound that running error analysis derives
-// for that very pair, and no wrong decision where no sign was in doubt.
+// The results of graze::solve in an inexact number type T: every value is within the bound that running error analysis
+// derives for that very pair, and no decision is wrong where no sign was in doubt.
 #pragma once
 
 #include "../oracle/contact.hpp"

@@ -1,4 +1,4 @@
-// An interval type needs no bound from outside: the exact value lies in what it gives, or it says that it doesn't know.
+// An interval type needs no bound from outside: its result contains the exact value, or it says that it doesn't know.
 #include "inexact.hpp"
 
 #include <graze/number/adapter/cgal.hpp>

@@ -1,6 +1,6 @@
-// A number type that computes in T and knows how wrong it may be: a bound of its distance from the exact value, carried
-// through every operation (running error analysis, Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms,
-// 3.3). The formulas run in it as they are, so the bound of each result is derived from the problem, not chosen.
+// A number type that computes in T with a running error: a bound on its distance from the exact value, updated by every
+// operation (running error analysis, Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 3.3). The
+// formulas run in it as they are, so the bound on each result is derived from the problem, not chosen.
 #pragma once
 
 #include <graze/number/traits.hpp>

@@ -1,4 +1,5 @@
-// Random bytes as the input of every predicate, compared with the oracle: answers of good input, messages of bad.
+// Random bytes as the input of every predicate, compared with the oracle: the answers for good input, the messages for
+// bad input.
 #include "../predicate/faults.hpp"
 
 #include "../oracle/encounter.hpp"

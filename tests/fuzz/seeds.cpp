@@ -1,5 +1,5 @@
-// Writes what the fuzz target starts from: two pairs of each family, in the form in which it reads them, a file each,
-// into the folder that is named.
+// Writes the seeds of the fuzz target into the given folder: two pairs of each family, one file for each, in the format
+// that the target reads.
 #include "../soak/more_families.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// A number type of a user whose namespace has functions of the same names: the formulas must not take them for theirs.
+// A user's number type in a namespace with functions of the same names: the formulas must not call those.
 #include <graze/graze.hpp>
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// Where things are and how they leave when they meet, in exact arithmetic: the normal is the line of centres (or from
-// the wall's closest point), and a velocity changes along it alone, so that momentum and energy are kept.
+// Positions and velocities at the contact, in exact arithmetic: the normal is along the line of centres (or from the
+// wall's closest point), and a velocity changes along it alone, so that momentum and energy are conserved.
 #pragma once
 
 #include "encounter.hpp"

@@ -1,8 +1,8 @@
-// What becomes of a ball and a ball, a plane or a wall, in exact arithmetic, found in another way than the library's.
+// The encounter of a ball with a ball, a plane or a wall, in exact arithmetic, by another method than the library's.
 //
 // The square of the distance between a moving centre and a thing is the least of a few parabolas, each of which holds
-// over an interval of time: one for a ball, the wall's face, each of its edges and corners. Nothing but their minima
-// over these intervals and the roots of those that reach r² is needed.
+// over an interval of time: one for a ball, for the wall's face, and for each of its edges and corners. Their minima
+// over these intervals, and the roots of those that reach r², are all that is needed.
 #pragma once
 
 #include "lift.hpp"

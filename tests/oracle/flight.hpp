@@ -1,5 +1,5 @@
-// What becomes of flights, in exact arithmetic: both are brought to the instant at which the later one starts as
-// rationals, and are then judged as balls are.
+// The encounter of flights, in exact arithmetic: both are moved to the later epoch as rationals, and then treated as
+// balls.
 #pragma once
 
 #include "contact.hpp"
@@ -46,7 +46,7 @@ graze::wall<N, mpq_class> exact(const graze::wall<N, T>& w) {
     return r;
 }
 
-// What meets from `start` on, as balls and shapes of rationals; `met` counts from there, `time` from 0.
+// A pair from `start` on, as balls and shapes of rationals; `met` counts from there, `time` from 0.
 template <class Other, int N>
 struct flight_answer {
     mpq_class start;

@@ -1,4 +1,4 @@
-// Inputs as integers times a common unit, one for lengths and one for velocities: from double, float, integers and
+// Inputs as integers in common units, one for lengths and one for velocities: from double, float, integers and
 // rationals, without an error.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Whether a float or a double is what an exact real number is rounded to, by the two boundaries around it.
+// Whether a float or a double is the rounded value of an exact real number, by the two boundaries around it.
 #pragma once
 
 #include "surd.hpp"
@@ -54,7 +54,7 @@ inline int compare(const surd& x, const mpz_class& m, int exponent) {
 
 enum class verdict { wrong, right, tied }; // tied: right, and exactly in the middle between two numbers
 
-// Whether y is what x is rounded to, ties to even. An exact zero is rounded to +0; what is not zero keeps its sign.
+// Whether y is x rounded, ties to even. An exact zero is rounded to +0; a number that is not zero keeps its sign.
 template <std::floating_point T>
 verdict judged(const surd& x, T y) {
     const int sign = sign_of(x);

@@ -1,5 +1,5 @@
-// Exact real numbers (p + q√d)/r in GMP integers, and their order. This and the rest of tests/oracle call nothing of
-// graze but the aggregates that hold a shape.
+// Exact real numbers (p + q√d)/r in GMP integers, and their order. This and the rest of tests/oracle use nothing of
+// graze except the aggregates of shapes.
 #pragma once
 
 #include <gmpxx.h>

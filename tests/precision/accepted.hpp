@@ -1,4 +1,4 @@
-// The accepted figures: text files, one a quantity, a line for each variant, type and family, sorted.
+// The accepted figures: a text file for each quantity, with a line for each variant, type and family, sorted.
 #pragma once
 
 #include "measure.hpp"

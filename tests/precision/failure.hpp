@@ -1,4 +1,4 @@
-// What a failure says.
+// The report of a failure.
 #pragma once
 
 #include "accepted.hpp"
@@ -12,7 +12,8 @@ struct circumstances {
     std::filesystem::path results;              // where shrunk inputs and scenes are written
 };
 
-// What is worse than accepted: empty where nothing is. Of correctly rounded figures what is wrong at all.
+// What is worse than accepted; empty if nothing is. For figures that promise to be correctly rounded, what is wrong at
+// all.
 [[nodiscard]] std::vector<std::string> losses(const figures& now, const figures& accepted);
 
 // The message, with the smallest input that shows the loss, which is also written to files.

@@ -1,4 +1,4 @@
-// One answer held against the truth.
+// Compares one answer with the truth.
 #pragma once
 
 #include "truth.hpp"

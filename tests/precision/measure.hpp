@@ -1,4 +1,4 @@
-// Every formula on every family: the figures that are compared with the accepted ones.
+// Measures every formula on every family: the figures that are compared with the accepted ones.
 #pragma once
 
 #include "inputs.hpp"

@@ -1,4 +1,4 @@
-// What a precision program does: measure, compare, tell.
+// The work of a precision program: measure, compare, report.
 #pragma once
 
 #include <graze/precision/subject.hpp>

@@ -1,4 +1,4 @@
-// From a pair that shows a loss to one that is easier to read and shows it too.
+// From a pair that shows a loss to a pair that is easier to read and shows it too.
 #pragma once
 
 #include "inputs.hpp"

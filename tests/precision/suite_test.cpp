@@ -1,4 +1,4 @@
-// The regression itself: what it measures on answers whose error is known, what it shrinks, which flag it blames.
+// The regression itself: the figures for answers of known error, the shrinking of failures, the flag that it blames.
 #include "failure.hpp"
 #include "shrink.hpp"
 #include "which_flag.hpp"
@@ -11,7 +11,7 @@
 
 namespace suite_test {
 
-// Decimal numbers of three digits, of which no more is asked than where they begin and end.
+// Decimal numbers of three digits, with just the operations that these tests need.
 struct decimal {
     double value = 0;
     decimal() = default;

@@ -1,4 +1,4 @@
-// The exact values of everything that the suite measures, by the oracle, for one pair.
+// The exact values of all quantities of one pair that the regression measures, by the oracle.
 #pragma once
 
 #include "../oracle/contact.hpp"

@@ -1,4 +1,4 @@
-// Of the results of several flag sets: which flag lost the precision.
+// Which flag lost the precision, from the results of several flag sets.
 #pragma once
 
 #include <filesystem>

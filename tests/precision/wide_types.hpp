@@ -1,4 +1,4 @@
-// The number types of other libraries that the whole regression measures, those that are there.
+// The number types of other libraries that the whole regression measures, if they are installed.
 #pragma once
 
 #include <graze/number/double_word.hpp>

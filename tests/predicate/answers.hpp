@@ -1,5 +1,5 @@
-// All that the predicates say of a pair. They are compiled once a number type: for doubles in answers.cpp, for another
-// type where answers_of_type.hpp is included.
+// All answers of the predicates for a pair. They are compiled once for each number type: for doubles in answers.cpp,
+// for another type where answers_of_type.hpp is included.
 #pragma once
 
 #include "../oracle/encounter.hpp"

@@ -1,4 +1,4 @@
-// The definitions that answers.hpp leaves out.
+// The definitions for answers.hpp.
 #pragma once
 
 #include "answers.hpp"

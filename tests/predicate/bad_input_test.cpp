@@ -1,4 +1,4 @@
-// A bad number is named, and never yields an answer, whatever the other numbers are.
+// A bad number is named and never yields an answer, for any values of the other numbers.
 #include "answers.hpp"
 #include "faults.hpp"
 

@@ -1,5 +1,5 @@
-// Decisions in constant expressions, where proofs/predicate says nothing of them: the ends of the range, and that bad
-// input does not compile. What it asserts, it asserts in compiling.
+// Decisions in constant expressions that proofs/predicate does not cover: the ends of the range, and bad input, which
+// must not compile. Its assertions are static.
 #include <graze/predicate/classify_numbers.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/time/time_of_shapes.hpp>

@@ -1,4 +1,4 @@
-// What is wrong with an input, said independently of the library, in its words.
+// The faults of an input, found independently of the library and told in its words.
 #pragma once
 
 #include "../oracle/lift.hpp"

@@ -1,4 +1,4 @@
-// All that the library says of flights, compiled once for all tests of them.
+// All answers of the library for flights, compiled once for all their tests.
 #pragma once
 
 #include "../oracle/flight.hpp"

@@ -1,4 +1,4 @@
-// What holds of any pair's answer, whatever it is.
+// The laws, which hold for every pair and every answer.
 #pragma once
 
 #include "answers.hpp"

@@ -1,4 +1,4 @@
-// The laws, of pairs of every hard family.
+// The laws, on pairs of every hard family.
 #include "../soak/more_families.hpp"
 #include "laws.hpp"
 

@@ -9,7 +9,7 @@
 
 namespace transform {
 
-// A shape of which length, velocity and normal have made the vectors of each kind anew.
+// A shape whose vectors have been replaced by length(v), velocity(v) and normal(v), by kind.
 template <int N, class T, class L, class V, class E>
 graze::ball<N, T> apply(graze::ball<N, T> b, L length, V velocity, E) {
     b.position = length(b.position);

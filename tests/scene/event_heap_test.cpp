@@ -1,4 +1,4 @@
-// The heap gives what is true in the order of time, wherever it waited, and loses nothing.
+// The heap returns the predictions that still hold in the order of time, wherever they waited, and loses none.
 #include <graze/scene/event_heap.hpp>
 
 #include <doctest/doctest.h>

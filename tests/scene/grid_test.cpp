@@ -1,5 +1,5 @@
-// The cells decide what is offered, never what happens; and a run that is interrupted anywhere goes on as if it had not
-// been.
+// The cells decide which pairs are predicted, never what happens; and a run continues after an interruption as if there
+// had been none.
 #include <graze/number/floating.hpp>
 #include <graze/scene/plain_mechanics.hpp>
 #include <graze/scene/run.hpp>

@@ -1,4 +1,4 @@
-// What a run does at its borders: mirrors, overlaps, points, cascades, limits, exceptions.
+// The rules of a run in special cases: mirrors, overlaps, points, cascades, limits, exceptions.
 #include "exact_runs.hpp"
 
 #include <graze/number/floating.hpp>

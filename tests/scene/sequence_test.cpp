@@ -1,4 +1,5 @@
-// The sequence of events, against an oracle that knows nothing of the library; and that it depends on the scene alone.
+// The sequence of events, against an oracle that shares no code with the library; and that it depends on the scene
+// alone.
 #include "exact_runs.hpp"
 #include "line_oracle.hpp"
 

@@ -1,4 +1,4 @@
-// One run, many number types: Galperin's billiard counts the same in all that have digits enough.
+// One run, many number types: Galperin's billiard has the same count in all types with enough digits.
 #include <graze/number/adapter/boost.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/scene/plain_mechanics.hpp>

@@ -1,4 +1,4 @@
-// Families beside those of the examples: planes, walls over the whole range, and everything on small grids.
+// More families than those of the examples: planes, walls over the whole range, and everything on small grids.
 #pragma once
 
 #include "integer_pair.hpp"

@@ -24,7 +24,7 @@ inline constexpr auto families_drawn = [] {
     return all;
 }();
 
-// What was seen of one family in one dimension.
+// The counts of one family in one dimension.
 struct tally {
     std::uint64_t pairs = 0, exact = 0, wrong = 0;
     std::array<std::uint64_t, 5> encounters{};

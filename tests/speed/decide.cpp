@@ -1,4 +1,5 @@
-// Deciding an encounter: against plain number types, the exact tier alone, and how often each family needs it.
+// The cost of an encounter: against plain number types, by the exact stage alone, and how often each family needs that
+// stage.
 #include "speed.hpp"
 
 #include <families/families.hpp>

@@ -1,4 +1,4 @@
-// graze-speed: what graze costs beside what it would replace, as ratios taken in one run.
+// graze-speed: the cost of graze relative to what it would replace, as ratios measured in one run.
 #include "speed.hpp"
 
 #include <algorithm>

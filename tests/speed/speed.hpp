@@ -1,4 +1,4 @@
-// What the benchmarks share: the pairs, and how a comparison is registered.
+// The common parts of the benchmarks: the pairs, and the registration of a comparison.
 #pragma once
 
 #include <families/random.hpp>

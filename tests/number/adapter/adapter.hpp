@@ -1,4 +1,4 @@
-// What every adapted number type must satisfy.
+// The requirements on every adapted number type.
 #pragma once
 
 #include <graze/number/sqrt_extension.hpp>

@@ -1,7 +1,7 @@
 // How far a decision is from the border where it changes, by the oracle.
 //
-// Of a pair, f(t) is the square of the distance between the centre and the other thing, minus r² (of balls, R²): all
-// that decides is the signs of f'(0), f(0) and of the least f ahead. L² is the sum of the squares of the lengths that
+// For a pair, f(t) is the square of the distance between the centre and the other thing, minus r² (for two balls, R²).
+// The signs of f'(0), f(0) and of the least f ahead decide. L² is the sum of the squares of the lengths that the
 // formulas start from: |Δx|² + R², |x - point|² + r² or |x - corner|² + the edges' |e|² + r². The relative distances
 // are
 //   receding     |f'(0)|/(2 L |Δu|), for balls |h|/(L |Δu|), for a plane the product of two sines
@@ -26,9 +26,9 @@ class borders {
     // p is valid.
     explicit borders(const precision::pair<N>& p);
 
-    // From where this answer would be right: of the borders that it is on the wrong side of, the farthest. 0 on the
-    // border. Nothing where it is right. An answer that is no encounter says with its values that there is a collision,
-    // without any that there is none.
+    // The distance from where this answer would be right: if it is on the wrong side of several borders, the farthest
+    // counts. 0 on the border. Empty if the answer is right. An answer without an encounter says that there is a
+    // collision if it has values, and that there is none if it has no values.
     [[nodiscard]] std::optional<mpq_class> square_to(const graze::precision::answer& given) const;
 
     // The nearest border, of features too if they were given.
@@ -55,7 +55,7 @@ class borders {
 extern template class borders<2>;
 extern template class borders<3>;
 
-// Log2 of the root of x > 0, but for straight lines between powers of two: the same on every machine.
+// Log2 of the root of x > 0, linear between powers of two: the same on every machine.
 [[nodiscard]] double bits_of_root(const mpq_class& x);
 // Log2 itself, from such bits.
 [[nodiscard]] double logarithm_from(double bits);

@@ -1,4 +1,4 @@
-// Distances from the border: small ones by hand, and that the decision changes where they say.
+// Distances from the border: small examples by hand, and a test that the decision changes where they say.
 #include "border.hpp"
 #include "figures.hpp"
 

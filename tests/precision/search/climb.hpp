@@ -1,4 +1,5 @@
-// One try: down into the worst part of a box of inputs, then up, bit by bit, to a pair that no changed bit makes worse.
+// One try: it narrows a box of inputs to its worst part, then climbs, bit by bit, to a pair that no changed bit makes
+// worse.
 #pragma once
 
 #include "goal.hpp"

@@ -1,4 +1,4 @@
-// The figures that a search can be for.
+// The figures that a search can maximise.
 #pragma once
 
 #include "kept.hpp"
@@ -19,7 +19,7 @@ struct figure {
 // std::invalid_argument that names the nearest figures there are, or those that the goal is about.
 [[nodiscard]] goal goal_of(const terms& t, const graze::precision::subjects& formulas);
 
-// The families that tries start from. std::invalid_argument for a name that there is none of.
+// The families that tries start from. std::invalid_argument for an unknown name.
 [[nodiscard]] std::vector<precision::family> families_of(const terms& t);
 
 // Of the names, the few that differ from the word in the fewest letters, separated by commas.

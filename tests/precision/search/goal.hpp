@@ -1,4 +1,4 @@
-// What a search makes large.
+// The goal of a search.
 #pragma once
 
 #include "../inputs.hpp"
@@ -41,7 +41,7 @@ struct goal {
     // (border.hpp), found pairs above those decided right, whose score leads towards the border. Last of those found
     // are the wrong ones on the border itself, and where what promises to be right throws.
     [[nodiscard]] std::optional<double> score(const any_pair& p) const;
-    // Whether the score is what is sought, and not only on the way to it.
+    // Whether the score is that of a find, not only of a pair on the way to one.
     [[nodiscard]] bool is_found(double score) const;
     // "3.2 units in the last place", "wrong at 1.1e-17 from the border", "5312 basic blocks".
     [[nodiscard]] std::string tell(double score) const;

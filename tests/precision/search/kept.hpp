@@ -1,4 +1,4 @@
-// What a search keeps, as a file: the precision suite reads its pairs, and the search goes on from it.
+// The file of a search: the precision regression reads its pairs, and the search continues from it.
 #pragma once
 
 #include "climb.hpp"
@@ -9,7 +9,7 @@
 
 namespace search {
 
-// What makes two searches the same: a search goes on from a file with the same terms alone.
+// The terms of a search. A search continues only from a file with the same terms.
 struct terms {
     std::string goal, figure;          // "error", "time/lagrange.stable/double"
     std::vector<std::string> families; // of which tries start; none: all
@@ -18,7 +18,7 @@ struct terms {
     std::string program = "graze-search"; // whose command it is: no term
 };
 
-// But for the shard.
+// Whether the terms are the same, except for the shard.
 [[nodiscard]] bool same_search(const terms& x, const terms& y);
 
 struct kept_pair {

@@ -1,4 +1,4 @@
-// What a program of graze_add_hard_case_search does.
+// The work of a program of graze_add_hard_case_search.
 #pragma once
 
 #include <graze/precision/subject.hpp>

@@ -1,4 +1,4 @@
-// The search: tries one after the other, each kept when it is done.
+// The search: one try after the other, each saved when it is done.
 #pragma once
 
 #include "figures.hpp"

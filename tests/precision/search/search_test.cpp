@@ -1,4 +1,4 @@
-// The search on small formulas: what it must not lose, and that its shards are one search.
+// The search on small formulas: it loses no find, and its shards together are one search.
 #include "float_order.hpp"
 #include "run.hpp"
 

@@ -1,4 +1,4 @@
-// One that answers: graze, the formulas in a number type, or a library's continuous collision.
+// A contestant: graze, the formulas in a number type, or a library's continuous collision detection.
 #pragma once
 
 #include "question.hpp"

@@ -1,4 +1,4 @@
-// How often the floating-point filter does not suffice, by family.
+// How often the filter leaves an answer to integers, by family.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// graze-peers: graze, plain doubles and the libraries that one would take instead, on the same inputs in one run.
+// graze-peers: graze, plain doubles and alternative libraries, on the same inputs in one run.
 #include "book.hpp"
 #include "measure.hpp"
 #include "sections.hpp"

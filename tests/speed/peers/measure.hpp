@@ -1,4 +1,4 @@
-// Contestants held against exact arithmetic: decisions, times, nanoseconds.
+// Compares contestants with exact arithmetic: decisions, times, nanoseconds.
 #pragma once
 
 #include "contestant.hpp"

@@ -1,4 +1,4 @@
-// What every contestant is asked: does a ball that flies straight touch a thing before the horizon, and when?
+// The question to every contestant: does a ball that flies straight touch a thing before the horizon, and when?
 #pragma once
 
 #include <graze/shape/ball.hpp>

@@ -1,4 +1,4 @@
-// What was found, by what the ball meets and in how many dimensions: as tables and as results of a comparison.
+// The results by kind of pair and dimension: as tables and as results of a comparison.
 #pragma once
 
 #include "measure.hpp"
