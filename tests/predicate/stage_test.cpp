@@ -103,19 +103,22 @@ TEST_CASE("A ball and a plane") {
     expect(recede, stage::filter, at(0, 0, 5, 1, 1, 1), floor);
     expect(overlap, stage::filter, at(0, 0, 0.5, 1, 1, -1), floor);
 
-    expect(hit, stage::exact, at(0, 0, 1, 1, 1, -1), floor); // touching
-    expect(overlap, stage::exact, at(0, 0, down, 1, 1, -1), floor);
-    expect(hit, stage::exact, at(0, 0, up, 1, 1, -1), floor);
-    expect(recede, stage::exact, at(0, 0, 0.5, 1, 1, 0), floor); // inside, parallel
-    expect(recede, stage::exact, at(0, 0, 5, 1, 1, 0), floor);
-    expect(recede, stage::exact, at(0, 0, 0, 1, 1, 5), floor); // the centre on the plane
-    expect(hit, stage::exact, at(0, 0, 5, 1, 1, -1), plane{{{7, 8, 0}}, {{0, 0, 0x1p-600}}});
+    expect(hit, stage::double_word, at(0, 0, 1, 1, 1, -1), floor); // touching
+    expect(overlap, stage::double_word, at(0, 0, down, 1, 1, -1), floor);
+    expect(hit, stage::double_word, at(0, 0, up, 1, 1, -1), floor);
+    expect(recede, stage::double_word, at(0, 0, 0.5, 1, 1, 0), floor); // inside, parallel
+    expect(recede, stage::double_word, at(0, 0, 5, 1, 1, 0), floor);
+    expect(recede, stage::double_word, at(0, 0, 0, 1, 1, 5), floor); // the centre on the plane
+    expect(hit, stage::double_word, at(0, 0, 5, 1, 1, -1), plane{{{7, 8, 0}}, {{0, 0, 0x1p-600}}});
 
     const plane slanted{{{0, 0, 0}}, {{1, 2, 2}}}; // |n| = 3
-    expect(hit, stage::exact, at(1, 1, 0, -1, 0, 0), slanted);
-    expect(overlap, stage::exact, at(down, 1, 0, -1, 0, 0), slanted);
+    expect(hit, stage::double_word, at(1, 1, 0, -1, 0, 0), slanted);
+    expect(overlap, stage::double_word, at(down, 1, 0, -1, 0, 0), slanted);
+    const plane odd{{{7, 8, 0}}, {{0, 0, 0.1}}}; // ties whose products take more than two doubles
+    expect(hit, stage::exact, at(0, 0, 1.1, 1, 1, -1, 1.1), odd);
+    expect(overlap, stage::double_word, at(0, 0, 1.1 * down, 1, 1, -1, 1.1), odd);
     expect_overlap(true, stage::filter, at(0, 0, 0.5, 1, 1, 0), floor);
-    expect_overlap(false, stage::exact, at(0, 0, -1, 1, 1, 0), floor);
+    expect_overlap(false, stage::double_word, at(0, 0, -1, 1, 1, 0), floor);
 }
 
 TEST_CASE("What is at rest recedes, without integers against planes and walls") {
@@ -129,8 +132,8 @@ TEST_CASE("What is at rest recedes, without integers against planes and walls") 
         expect_overlap(true, stage::filter, at(2, 1, 0.5, zero, 0, 0), square);
         expect_overlap(false, stage::filter, at(2, 1, 5, zero, 0, 0), square);
     }
-    expect(recede, stage::exact, at(2, 1, 5, 0x1p-1074, 0, 0x1p-1074), square);
-    expect(hit, stage::exact, at(2, 1, 5, 0, 0, -0x1p-1074), square);
+    expect(recede, stage::double_word, at(2, 1, 5, 0x1p-1074, 0, 0x1p-1074), square);
+    expect(hit, stage::double_word, at(2, 1, 5, 0, 0, -0x1p-1074), square);
 }
 
 TEST_CASE("A ball and a wall") {
@@ -142,18 +145,23 @@ TEST_CASE("A ball and a wall") {
     expect(recede, stage::filter, at(2, 1, 5, 0.1, 0.1, 1), square);
     expect(overlap, stage::filter, at(2, 1, 0.5, 0.1, 0.1, -1), square);
 
-    expect(graze::encounter::graze, stage::exact, at(5, 2, 5, 0, 0, -1), square); // an edge
-    expect(hit, stage::exact, at(5 * down, 2, 5, 0, 0, -1), square);
-    expect(miss, stage::exact, at(5 * up, 2, 5, 0, 0, -1), square);
-    expect(graze::encounter::graze, stage::exact, at(9, 2, 1, -1, 0, 0), square); // along the face
-    expect(hit, stage::exact, at(4, 2, 5, 0, 0, -1), square);                     // where face and edge meet
-    expect(hit, stage::exact, at(4, 4, 5, 0, 0, -1), square);                     // where all meet
-    expect(overlap, stage::exact, at(2, 1, down, 0, 0, -1), square);
-    expect(hit, stage::exact, at(2, 1, 1, 0, 0, -1), square);
-    expect(hit, stage::exact, at(4, 4, 5, 0, 0, -1, 0), square); // a point on the corner
-    expect(miss, stage::exact, at(4 * up, 4, 5, 0, 0, -1, 0), square);
-    expect(graze::encounter::graze, stage::exact, at(9, 9, 0, -1, -1, 0, 0), square); // along the wall, at its corner
+    expect(graze::encounter::graze, stage::double_word, at(5, 2, 5, 0, 0, -1), square); // an edge
+    expect(hit, stage::double_word, at(5 * down, 2, 5, 0, 0, -1), square);
+    expect(miss, stage::double_word, at(5 * up, 2, 5, 0, 0, -1), square);
+    expect(graze::encounter::graze, stage::double_word, at(9, 2, 1, -1, 0, 0), square); // along the face
+    expect(hit, stage::double_word, at(4, 2, 5, 0, 0, -1), square);                     // where face and edge meet
+    expect(hit, stage::double_word, at(4, 4, 5, 0, 0, -1), square);                     // where all meet
+    expect(overlap, stage::double_word, at(2, 1, down, 0, 0, -1), square);
+    expect(hit, stage::double_word, at(2, 1, 1, 0, 0, -1), square);
+    expect(hit, stage::double_word, at(4, 4, 5, 0, 0, -1, 0), square); // a point on the corner
+    expect(miss, stage::double_word, at(4 * up, 4, 5, 0, 0, -1, 0), square);
+    expect(graze::encounter::graze, stage::double_word, at(9, 9, 0, -1, -1, 0, 0),
+           square); // along the wall, at its corner
+    const wall odd{{{0, 0, 0}}, {{{{0.7, 0, 0}}, {{0, 0.3, 0}}}}};
+    expect(hit, stage::exact, at(0.4, 0.1, 1.1, 0.1, 0, -1, 1.1), odd);
+    expect(graze::encounter::graze, stage::exact, at(9, 0.1, 1.1, -1, 0, 0, 1.1), odd);
+    expect(miss, stage::double_word, at(9, 0.1, 1.1 * up, -1, 0, 0, 1.1), odd);
     expect_overlap(true, stage::filter, at(2, 1, 0.5, 1, 1, 1), square);
-    expect_overlap(false, stage::exact, at(5, 2, 0, 1, 1, 1), square);
-    expect_overlap(true, stage::exact, at(5 * down, 2, 0, 1, 1, 1), square);
+    expect_overlap(false, stage::double_word, at(5, 2, 0, 1, 1, 1), square);
+    expect_overlap(true, stage::double_word, at(5 * down, 2, 0, 1, 1, 1), square);
 }

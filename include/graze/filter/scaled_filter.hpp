@@ -4,6 +4,7 @@
 
 #include <graze/filter/static_filter.hpp>
 
+#include <cmath>
 #include <type_traits>
 
 namespace graze::inline v0_1::detail {
@@ -16,19 +17,28 @@ struct magnitudes {
     double normal = 1;
 };
 
-// Σ|x_i|, an upper bound of the norm.
-template <int N>
-[[nodiscard]] constexpr double sum_of_magnitudes(const vec<N, double>& x) noexcept {
-    double sum = 0;
-    for (int i = 0; i < N; ++i) {
-        sum += x[i] < 0 ? -x[i] : x[i];
-    }
-    return sum;
+// Without a branch, which signs would mislead.
+[[nodiscard]] constexpr double size_of(double x) noexcept {
+    return !std::is_constant_evaluated() ? std::fabs(x) : x < 0 ? -x : x;
 }
 
+// Σ|x_i|, an upper bound of the norm.
+template <int N>
+[[nodiscard, gnu::always_inline]] constexpr inline double sum_of_magnitudes(const vec<N, double>& x) noexcept {
+    if constexpr (N == 2) {
+        return size_of(x[0]) + size_of(x[1]);
+    } else {
+        return size_of(x[0]) + size_of(x[1]) + size_of(x[2]);
+    }
+}
+
+// The least of a scale in the filter's range.
+template <class T>
+inline constexpr double smallest_scale = std::is_same_v<T, float> ? 0x1p-30 : 0x1p-50;
+
 // Whether the magnitudes are in the filter's range. In that range no formula of degree up to 12 in lengths, 4 in
-// velocities and 6 in normals over- or underflows. Products of scales stay within 2^±800. What is flushed to zero, each
-// time below 2^-1022, is less than 2^-150 of them, and the slack of the constants (2^-92 of them) covers it. A
+// velocities and 10 in normals over- or underflows. Products of scales stay within 2^±800. What is flushed to zero,
+// each time below 2^-1022, is less than 2^-150 of them, and the slack of the constants (2^-92 of them) covers it. A
 // subnormal float may be flushed when it is converted to double, so the range of floats starts higher. A NaN or an
 // infinity among the inputs is out of range too.
 template <class T>
@@ -39,12 +49,17 @@ template <class T>
            static_cast<unsigned>(within_powers<low, 50>(s.normal));
 }
 
+// For what velocities have no part in: those that are zero, or read as that, are as good as any.
+constexpr void forget_rest_in(magnitudes& s) noexcept {
+    s.velocity = std::bit_cast<std::uint64_t>(s.velocity) == 0 ? 1 : s.velocity;
+}
+
 // The sign of F for a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.
 template <class Bounds, class F, class M>
 [[nodiscard]] constexpr int filtered_sign(F f, const M& motion, const magnitudes& s) noexcept {
     constexpr double k = filter_constant(F{}, Bounds::value());
     constexpr error_bound::degrees d = filter_degrees(F{}, Bounds::value());
-    static_assert(d[0] <= 12 && d[1] <= 4 && d[2] <= 6 && 50 * (d[0] + d[1] + d[2]) <= 800,
+    static_assert(d[0] <= 12 && d[1] <= 4 && d[2] <= 10 && 50 * (d[0] + d[1] + d[2]) <= 800,
                   "outside the range that usable() checks");
     return certain_sign(f(motion),
                         k * (power_of<d[0]>(s.length) * power_of<d[1]>(s.velocity) * power_of<d[2]>(s.normal)));

@@ -4,6 +4,7 @@
 #include <graze/exact/binary.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <stdexcept>
@@ -89,15 +90,36 @@ constexpr void check(const plane<N, T>& p, const char* argument) {
 }
 
 // All but whether edges are parallel, which is a formula's sign.
-template <int N, class T>
-constexpr void check(const wall<N, T>& w, const char* argument) {
-    require_finite(w.corner, argument, "corner is not finite");
-    for (const auto& e : w.edge) {
+template <class Edged>
+constexpr void check_edges(const Edged& x, const char* argument) {
+    require_finite(x.corner, argument, "corner is not finite");
+    for (const auto& e : x.edge) {
         require_finite(e, argument, "edge is not finite");
         if (is_zero(e)) {
             reject(argument, "edge is zero");
         }
     }
+}
+template <int N, class T>
+constexpr void check(const wall<N, T>& w, const char* argument) {
+    check_edges(w, argument);
+}
+template <class T>
+constexpr void check(const triangle<T>& t, const char* argument) {
+    check_edges(t, argument);
+}
+
+template <int N, class T>
+[[nodiscard]] constexpr const char* name_of(const plane<N, T>&) noexcept {
+    return "plane";
+}
+template <class T>
+[[nodiscard]] constexpr const char* name_of(const triangle<T>&) noexcept {
+    return "triangle";
+}
+template <int N, class T>
+[[nodiscard]] constexpr const char* name_of(const wall<N, T>&) noexcept {
+    return "wall";
 }
 
 } // namespace graze::inline v0_1::detail

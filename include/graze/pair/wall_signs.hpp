@@ -3,14 +3,11 @@
 
 #include <graze/pair/certain_signs.hpp>
 #include <graze/pair/input_check.hpp>
+#include <graze/pair/plane_signs.hpp>
 #include <graze/pair/rounded_motion.hpp>
 
 namespace graze::inline v0_1::detail {
 
-template <int N, class X, class U, class E, class S>
-[[nodiscard]] constexpr magnitudes magnitudes_of(const plane_motion<N, X, U, E, S>& m) noexcept {
-    return {sum_of_magnitudes(m.w) + m.r, sum_of_magnitudes(m.u), sum_of_magnitudes(m.n)};
-}
 template <int N, class X, class U, class E, class S, class NN, class M>
 [[nodiscard]] constexpr magnitudes magnitudes_of(const wall_motion<N, X, U, E, S, NN, M>& m) noexcept {
     double length = sum_of_magnitudes(m.w) + m.r;
@@ -34,15 +31,6 @@ template <int N, class T>
 [[nodiscard]] pair_of_plane<N, T> pair_of(const ball<N, T>&, const plane<N, T>&);
 template <int N, class T>
 [[nodiscard]] pair_of_wall<N, T> pair_of(const ball<N, T>&, const wall<N, T>&);
-
-template <int N, class T>
-[[nodiscard]] constexpr const char* name_of(const plane<N, T>&) noexcept {
-    return "plane";
-}
-template <int N, class T>
-[[nodiscard]] constexpr const char* name_of(const wall<N, T>&) noexcept {
-    return "wall";
-}
 
 // f(signs) for a ball b and a plane or wall s. Usable magnitudes are finite and not zero, so that only what is out of
 // their range, or has an odd radius, is looked at number by number.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <graze/formula/encounter.hpp>
+#include <graze/pair/plane_signs.hpp>
 #include <graze/pair/wall_signs.hpp>
+#include <graze/predicate/decide_flat.hpp>
 
 namespace graze::inline v0_1 {
 
@@ -14,19 +16,24 @@ namespace graze::inline v0_1 {
 // normal is zero; in a constant expression such input does not compile. Eq. (33), completed with the radius.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const plane<N, T>& p, Observer&& observer = {}) {
-    return detail::with_certain_signs(b, p, observer, [](auto& signs) {
-        return encounter_of([&] { return signs(plane_height{}) * signs(plane_speed{}); },
-                            [&] { return signs(plane_clearance{}); }, [] { return 1; });
-    });
+[[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const ball<N, T>& b, const plane<N, T>& p,
+                                                                      Observer&& observer = {}) {
+    stage by = stage::filter;
+    const bool in_doubles = !std::is_constant_evaluated() || detail::is_moderate(b, p);
+    const encounter what = in_doubles ? detail::decide_plane(detail::filtered_plane<N, T>(b, p), b, p, by)
+                                      : detail::decide_plane_slowly(b, p, detail::flat_question::what, by).what;
+    observer(by);
+    return what;
 }
 
 namespace detail {
 
 template <int N, class T, class Observer>
 [[nodiscard]] constexpr wall_encounter decide_wall(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer) {
-    return with_certain_signs(
-        b, w, observer, [](auto& signs) { return wall_decision<N, std::remove_cvref_t<decltype(signs)>>(signs)(); });
+    stage by{};
+    const flat_answer found = decide_flat<flat_question::feature>(b, w, by);
+    observer(by);
+    return {found.what, found.where, found.index};
 }
 
 } // namespace detail
@@ -40,7 +47,10 @@ template <int N, class T, class Observer>
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer = {}) {
-    return detail::decide_wall(b, w, observer).what;
+    stage by{};
+    const encounter what = detail::decide_flat<detail::flat_question::what>(b, w, by).what;
+    observer(by);
+    return what;
 }
 
 } // namespace graze::inline v0_1

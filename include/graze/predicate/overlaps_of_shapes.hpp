@@ -34,16 +34,26 @@ requires is_binary_input<T>
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr bool overlaps(const ball<N, T>& b, const plane<N, T>& p, Observer&& observer = {}) {
-    return detail::with_certain_signs(b, p, observer, [](auto& signs) { return signs(plane_clearance{}) < 0; });
+    stage by = stage::filter;
+    if (!std::is_constant_evaluated() || detail::is_moderate(b, p)) {
+        if (const auto found = detail::filtered_plane<N, T>(b, p).overlap(b); found.certain) {
+            observer(by);
+            return found.what == encounter::overlap;
+        }
+    }
+    const auto found = detail::decide_plane_slowly(b, p, detail::flat_question::clearance, by);
+    observer(by);
+    return found.what == encounter::overlap;
 }
 
 // Whether the ball's centre is nearer to the wall than its radius, exactly. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr bool overlaps(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer = {}) {
-    return detail::with_certain_signs(b, w, observer, [](auto& signs) {
-        return wall_decision<N, std::remove_cvref_t<decltype(signs)>>(signs).overlaps();
-    });
+    stage by{};
+    const bool inside = detail::decide_flat<detail::flat_question::clearance>(b, w, by).what == encounter::overlap;
+    observer(by);
+    return inside;
 }
 
 } // namespace graze::inline v0_1

@@ -1,0 +1,162 @@
+// The signs that decide what becomes of a ball and a flat thing, in doubles with a bound from the norms at hand.
+#pragma once
+
+#include <graze/filter/scaled_filter.hpp>
+#include <graze/formula/flat_encounter.hpp>
+#include <graze/pair/rounded_motion.hpp>
+
+#include <algorithm>
+
+namespace graze::inline v0_1::detail {
+
+// A flat motion's numbers for error_bound. The scale of lengths bounds |w| + r + Σ|e_i|, that of the third kind each
+// |e_i|, and |e₁ - e₀| of a triangle: what is of a lower degree in w may be taken as one of a higher.
+template <int N, class T>
+struct flat_bounds {
+    static constexpr int roundings = is_wide_integer<T> ? 8 : 3; // of w, from up to two edges further
+    [[nodiscard]] static consteval error_bound edge() { return {1, bounded_input<T>({0, 0, 1}, 1).error, {0, 0, 1}}; }
+    [[nodiscard]] static consteval flat_motion<N, error_bound> motion() {
+        flat_motion<N, error_bound> m{bounded_vector<N>(detail::rounded(1, 0, 1, roundings, {1, 0, 0})),
+                                      bounded_vector<N>(bounded_velocity<T>(0)),
+                                      {},
+                                      bounded_length<T>(0),
+                                      true};
+        for (auto& e : m.e) {
+            e = bounded_vector<N>(edge());
+        }
+        return m;
+    }
+    [[nodiscard]] static consteval error_bound as_length(const error_bound& x) { // one edge of it
+        return {x.magnitude, x.error, {x.degree[0] + 1, x.degree[1], x.degree[2] - 1}};
+    }
+    [[nodiscard]] static consteval flat_way<N, error_bound> way() {
+        auto x = way_of(motion());
+        x.facing = as_length(x.facing);
+        return x;
+    }
+    [[nodiscard]] static consteval flat_extent<error_bound> extent() {
+        const auto m = motion();
+        const error_bound ue = as_length(graze::dot(m.u, m.e[0]));
+        return {graze::dot(m.w, m.u), ue + ue, ue + ue};
+    }
+    [[nodiscard]] static consteval flat_edges<N, error_bound> edges() {
+        const error_bound ee = graze::squared_norm(motion().e[0]);
+        return {ee, ee, ee};
+    }
+    [[nodiscard]] static consteval flat_hull<N, error_bound> hull() {
+        const auto m = motion();
+        const error_bound ee = as_length(as_length(graze::squared_norm(m.e[0])));
+        return {m.w + m.w, m.u, m.r, ee + ee + graze::twice(ee)};
+    }
+    [[nodiscard]] static consteval flat_place<N, error_bound> place() {
+        auto x = place_of(motion(), way_of(motion()));
+        x.facing = as_length(x.facing);
+        return x;
+    }
+    // | |n| - |n̂| | <= |n - n̂|; the root of n̂·n̂, which is right to 4u, is right to 2u + 2u by its square
+    // (filtered_judge).
+    [[nodiscard]] static consteval flat_touch<N, error_bound> touch() {
+        const auto x = way();
+        const error_bound n = face_normal(motion().e)[0];
+        return {{n.magnitude, n.error + 4 * n.magnitude, n.degree}, x.facing, x.r, x.at, x.pull};
+    }
+    [[nodiscard]] static consteval flat_edge<error_bound> border() {
+        const auto m = motion();
+        const auto w = way();
+        const error_bound wd = graze::dot(m.w, m.e[0]), wu = graze::dot(m.w, m.u), dd = graze::dot(m.e[0], m.e[0]);
+        const error_bound ud = graze::dot(m.u, m.e[0]);
+        return {graze::dot(m.w, m.w),
+                wd,
+                wu,
+                dd,
+                ud,
+                graze::dot(m.u, m.u),
+                m.r,
+                wd - as_length(dd),
+                wu - as_length(ud),
+                inside_border{}(w),
+                inward_speed{}(w),
+                w.speed};
+    }
+};
+
+// Which of these numbers a formula takes.
+template <class B, int N>
+[[nodiscard]] consteval auto bounds_like(const flat_way<N, double>*) {
+    return B::way();
+}
+template <class B, int N>
+[[nodiscard]] consteval auto bounds_like(const flat_place<N, double>*) {
+    return B::place();
+}
+template <class B>
+[[nodiscard]] consteval auto bounds_like(const flat_extent<double>*) {
+    return B::extent();
+}
+template <class B, int N>
+[[nodiscard]] consteval auto bounds_like(const flat_edges<N, double>*) {
+    return B::edges();
+}
+template <class B, int N>
+[[nodiscard]] consteval auto bounds_like(const flat_hull<N, double>*) {
+    return B::hull();
+}
+template <class B, int N>
+[[nodiscard]] consteval auto bounds_like(const flat_touch<N, double>*) {
+    return B::touch();
+}
+template <class B>
+[[nodiscard]] consteval auto bounds_like(const flat_edge<double>*) {
+    return B::border();
+}
+
+// Of doubles that come from inputs of type T.
+template <int N, class T>
+struct filtered_judge {
+    static constexpr bool has_roots = true;
+    magnitudes scales;
+
+    // Not where the compiler has put a worse estimate in the place of the root.
+    [[nodiscard]] constexpr bool root(double x, double& y) const noexcept {
+        y = number_traits<double>::sqrt(x);
+        return size_of(y * y - x) <= 0x1p-50 * x;
+    }
+
+    template <class X>
+    struct bounds {
+        [[nodiscard]] static consteval auto value() {
+            return bounds_like<flat_bounds<N, T>>(static_cast<const X*>(nullptr));
+        }
+    };
+    template <class F, class X>
+    [[nodiscard, gnu::always_inline]] constexpr int operator()(F f, const X& x) const noexcept {
+        return filtered_sign<bounds<X>>(f, x, scales);
+    }
+};
+
+// Σ|w_i| + r + ΣΣ|e_i|, Σ|u_i| and the largest edge.
+template <int N>
+[[nodiscard, gnu::always_inline]] constexpr inline magnitudes magnitudes_of(const flat_motion<N, double>& m) noexcept {
+    double sum = 0;
+    double largest = 0;
+    for (const auto& e : m.e) {
+        const double size = sum_of_magnitudes(e);
+        sum += size;
+        largest = std::max(largest, size);
+    }
+    return {sum_of_magnitudes(m.w) + m.r + sum, sum_of_magnitudes(m.u), N == 3 && m.is_triangle ? sum : largest};
+}
+
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_motion<N, double>
+rounded_flat_motion(const ball<N, T>& b, const vec<N, T>& corner, const std::array<vec<N, T>, N - 1>& edge,
+                    bool is_triangle) noexcept {
+    std::array<vec<N, double>, N - 1> e{};
+    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
+        e[i] = rounded(wide(edge[i]));
+    }
+    return {rounded(wide(b.position) - wide(corner)), rounded(wide(b.velocity)), e, to_double(wide(b.radius)),
+            is_triangle};
+}
+
+} // namespace graze::inline v0_1::detail

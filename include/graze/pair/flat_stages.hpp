@@ -1,0 +1,166 @@
+// What becomes of a ball and a flat thing, by the stages after the first: sums of two doubles, then integers. All is
+// compiled once for a dimension and a type of inputs.
+#pragma once
+
+#include <graze/exact/approximate.hpp>
+#include <graze/exact/long_integer.hpp>
+#include <graze/machine/environment.hpp>
+#include <graze/number/bounded_word.hpp>
+#include <graze/pair/flat_signs.hpp>
+#include <graze/pair/pair.hpp>
+#include <graze/pair/stage.hpp>
+
+namespace graze::inline v0_1::detail {
+
+// what: the feature is set by chance. clearance: overlap of things that are inside each other now, else miss.
+enum class flat_question : std::uint8_t { what, feature, clearance };
+
+template <int N, class T, class Judge>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_answer answer_of(const flat_motion<N, T>& m, const Judge& judge,
+                                                                         flat_question question) {
+    const auto way = way_of(m);
+    const flat_decision<N, T, Judge> decision(m, way, judge);
+    if (question == flat_question::clearance) {
+        const int c = decision.clearance();
+        return {c != open_sign, c < 0 ? encounter::overlap : encounter::miss};
+    }
+    const flat_answer found = decision.what();
+    return question == flat_question::what ? found : decision.with_feature(found);
+}
+
+struct word_judge {
+    static constexpr bool has_roots = true;
+    [[nodiscard]] bool root(const bounded_word& x, bounded_word& y) const noexcept {
+        y = sqrt(x);
+        return true;
+    }
+
+    template <class F, class X>
+    [[nodiscard]] int operator()(F f, const X& x) const noexcept {
+        const bounded_word y = f(x);
+        return y.has_certain_sign() ? graze::sign(y) : y.is_zero() ? 0 : open_sign;
+    }
+};
+struct exact_judge {
+    static constexpr bool has_roots = false;
+
+    template <class F, class X>
+    [[nodiscard]] constexpr int operator()(F f, const X& x) const {
+        return graze::sign(f(x));
+    }
+};
+
+template <int N, class I, class Inputs>
+[[nodiscard]] constexpr flat_motion<N, I> flat_motion_in(const Inputs& in, bool is_triangle) {
+    const auto s = ball_and_wall<N>::template shapes_of<I>(in);
+    return {s.ball.position - s.wall.corner, s.ball.velocity, s.wall.edge, s.ball.radius, is_triangle};
+}
+
+// Numbers of a row, times 2^power: the largest one is then in [1, 2). Exact where that of the smallest is not below
+// 2^-900; no other group is `plain`.
+template <class T>
+struct scaled_group {
+    const T* first;
+    int power = 0;
+    bool plain = true;
+
+    scaled_group(const T* row, std::size_t count) noexcept : first(row) {
+        int highest = -5000;
+        int lowest = 5000;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double x = static_cast<double>(row[i]);
+            const binary parts = split(x);
+            if (parts.significand != 0) {
+                const auto size =
+                    static_cast<std::uint64_t>(parts.significand < 0 ? -parts.significand : parts.significand);
+                const int exponent = parts.exponent + static_cast<int>(std::bit_width(size));
+                highest = std::max(highest, exponent);
+                lowest = std::min(lowest, exponent);
+            }
+        }
+        power = highest == -5000 ? 0 : 1 - highest;
+        plain = lowest + power > -900;
+    }
+    template <class I>
+    [[nodiscard]] I get(std::size_t i) const noexcept {
+        const int half = power / 2;
+        return I(static_cast<double>(first[i]) * power_of_two(half) * power_of_two(power - half));
+    }
+};
+template <class P, class T>
+struct scaled_row {
+    scaled_group<T> length, velocity;
+    explicit scaled_row(const T* row) noexcept : length(row, P::lengths), velocity(row + P::lengths, P::velocities) {}
+};
+
+template <int N, class T>
+[[nodiscard, gnu::noinline]] flat_answer answer_by_words(const T* row, bool is_triangle,
+                                                         flat_question question) noexcept {
+    const scaled_row<ball_and_wall<N>, T> in(row);
+    if (!(in.length.plain && in.velocity.plain)) {
+        return {};
+    }
+    const auto m = flat_motion_in<N, bounded_word>(in, is_triangle);
+    const word_judge judge;
+    return judge(edges_span{}, edges_of(m)) == 1 ? answer_of(m, judge, question) : flat_answer{};
+}
+
+template <int N>
+[[nodiscard, gnu::noinline]] constexpr flat_answer
+answer_by_integers(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<N>::velocities, 0>& in,
+                   bool is_triangle, flat_question question) {
+    return answer_of(flat_motion_in<N, long_integer>(in, is_triangle), exact_judge{}, question);
+}
+
+// Whether the edges in a row are parallel.
+template <int N>
+[[nodiscard, gnu::noinline]] constexpr bool
+has_parallel_edges(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<N>::velocities, 0>& in) {
+    const auto n = face_normal(ball_and_wall<N>::template shapes_of<long_integer>(in).wall.edge);
+    return sign(graze::squared_norm(n)) == 0;
+}
+
+// The answer for a row of checked numbers, in which edges may be parallel: found is then not certain.
+template <int N, class T, class Row>
+[[nodiscard, gnu::noinline]] constexpr flat_answer refine_flat(const Row& row, bool is_triangle, bool rests,
+                                                               flat_question question, stage& by) {
+    constexpr bool has_words = has_error_free_doubles && !is_wide_integer<T>;
+    if (rests && question != flat_question::clearance) {
+        by = wider(by, stage::filter);
+        return has_parallel_edges<N>(lift_row<ball_and_wall<N>>(row)) ? flat_answer{} : flat_answer{true};
+    }
+    if constexpr (has_words) {
+        if (!std::is_constant_evaluated() && rounds_to_nearest()) {
+            if (const flat_answer found = answer_by_words<N>(row.data(), is_triangle, question); found.certain) {
+                by = wider(by, stage::double_word);
+                return found;
+            }
+        }
+    }
+    by = stage::exact;
+    const auto in = lift_row<ball_and_wall<N>>(row);
+    return has_parallel_edges<N>(in) ? flat_answer{} : answer_by_integers<N>(in, is_triangle, question);
+}
+
+// Whether all numbers of a row are below 2^48, so that doubles of them don't overflow, not even in a constant
+// expression.
+template <class Row>
+[[nodiscard]] constexpr bool is_moderate_row(const Row& row) noexcept {
+    for (const auto& x : row) {
+        const binary b = split(x);
+        if (!is_finite_input(x) || (b.significand != 0 && b.exponent > -5)) {
+            return false;
+        }
+    }
+    return true;
+}
+template <int N, class T>
+[[nodiscard]] constexpr bool is_moderate(const ball<N, T>& b, const wall<N, T>& w) noexcept {
+    return is_moderate_row(packed<ball_and_wall<N>>(b, w));
+}
+template <int N, class T>
+[[nodiscard]] constexpr bool is_moderate(const ball<N, T>& b, const plane<N, T>& p) noexcept {
+    return is_moderate_row(packed<ball_and_plane<N>>(b, p));
+}
+
+} // namespace graze::inline v0_1::detail

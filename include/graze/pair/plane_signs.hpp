@@ -1,0 +1,144 @@
+// What becomes of a ball and a plane, by its stages.
+#pragma once
+
+#include <graze/formula/encounter.hpp>
+#include <graze/pair/flat_stages.hpp>
+#include <graze/pair/input_check.hpp>
+
+namespace graze::inline v0_1::detail {
+
+template <int N>
+[[nodiscard, gnu::always_inline]] constexpr inline magnitudes
+magnitudes_of(const plane_motion<N, double, double, double, double>& m) noexcept {
+    return {sum_of_magnitudes(m.w) + m.r, sum_of_magnitudes(m.u), sum_of_magnitudes(m.n)};
+}
+
+// In doubles: the height and speed of a motion, times |n|, and what is certain of them.
+template <int N, class T>
+struct filtered_plane {
+    using bounds = plane_bounds<N, T>;
+    static constexpr double height_error = filter_constant(plane_height{}, bounds::value());
+    static constexpr double speed_error = filter_constant(plane_speed{}, bounds::value());
+    static constexpr double clearance_error = filter_constant(plane_clearance{}, bounds::value());
+    static_assert(has_degrees(plane_height{}, bounds::value(), 1, 0, 1));
+    static_assert(has_degrees(plane_speed{}, bounds::value(), 0, 1, 1));
+    static_assert(has_degrees(plane_clearance{}, bounds::value(), 2, 0, 2));
+
+    plane_motion<N, double, double, double, double> motion;
+    magnitudes scales;
+    double height, speed, square; // square: n·n
+    double size, both;            // of the height, and of height·speed
+    unsigned in_range;
+
+    // In range no scale is below the least of usable() and both is moderate: then the others' products with n are
+    // below 2^500, and what is lost to underflow is nothing beside them. A NaN or an infinity makes `both` one.
+    [[gnu::always_inline]] constexpr filtered_plane(const ball<N, T>& b, const plane<N, T>& p) noexcept
+        : motion(rounded_motion(b, p)), scales(magnitudes_of(motion)), height(plane_height{}(motion)),
+          speed(plane_speed{}(motion)), square(graze::squared_norm(motion.n)), size(scales.length * scales.normal),
+          both(size * (scales.velocity * scales.normal)),
+          in_range(static_cast<unsigned>(within_powers<-300, 300>(both)) &
+                   static_cast<unsigned>(std::min(std::min(scales.length, scales.normal), scales.velocity) >
+                                         smallest_scale<T>) &
+                   static_cast<unsigned>(plain_radii(b.radius, b.radius))) {}
+
+    // (w·n)² - r² n·n.
+    [[nodiscard, gnu::always_inline]] constexpr double clearance() const noexcept {
+        return height * height - motion.r * motion.r * square;
+    }
+    struct answer {
+        bool certain;
+        encounter what;
+    };
+    // Neither height nor speed is larger than its scales, so that their product says that both are certain. Looked up,
+    // since which one it is cannot be predicted.
+    [[nodiscard, gnu::always_inline]] constexpr answer what() const noexcept {
+        constexpr double k = std::max(height_error, speed_error) * (1 + 0x1p-20);
+        const double departs = height * speed;
+        const double clear = clearance();
+        const unsigned parts = departs > k * both ? 1 : 0;
+        const unsigned nears = departs < -k * both ? 1 : 0;
+        const unsigned known = size_of(clear) > clearance_error * (size * size) ? 1 : 0;
+        const unsigned answers = static_cast<unsigned>(encounter::hit) |
+                                 static_cast<unsigned>(encounter::overlap) << 4 |
+                                 static_cast<unsigned>(encounter::recede) * 0x1100U;
+        const unsigned index = parts * 8 + (clear < 0 ? 4 : 0);
+        return {(in_range & (parts | (nears & known))) != 0, static_cast<encounter>(answers >> index & 7)};
+    }
+    // Whether it is negative; velocities have no part in it, but those that are zero, or read as that, make `both` so.
+    [[nodiscard]] constexpr answer overlap(const ball<N, T>& b) const noexcept {
+        const double clear = clearance();
+        const unsigned good = static_cast<unsigned>(usable<T>({scales.length, 1, scales.normal})) &
+                              static_cast<unsigned>(plain_radii(b.radius, b.radius)) &
+                              static_cast<unsigned>(is_finite(b.velocity));
+        return {good != 0 && size_of(clear) > clearance_error * (size * size),
+                clear < 0 ? encounter::overlap : encounter::miss};
+    }
+};
+
+template <int N, class M, class Judge>
+[[nodiscard]] constexpr flat_answer answer_of_plane(const M& m, const Judge& judge, flat_question question) {
+    int departs = -1;
+    if (question != flat_question::clearance) {
+        const int height = judge(plane_height{}, m);
+        const int speed = judge(plane_speed{}, m);
+        if (height == 0 || speed == 0) {
+            return {true, encounter::recede};
+        }
+        departs = height == open_sign || speed == open_sign ? open_sign : height * speed;
+    }
+    if (departs == 1) {
+        return {true, encounter::recede};
+    }
+    const int clear = judge(plane_clearance{}, m);
+    const bool is_certain = departs != open_sign && clear != open_sign;
+    return {is_certain, clear < 0                              ? encounter::overlap
+                        : question == flat_question::clearance ? encounter::miss
+                                                               : encounter::hit};
+}
+
+template <class T>
+struct scaled_plane_row {
+    scaled_group<T> length, velocity, normal;
+};
+
+template <int N, class T>
+[[nodiscard, gnu::noinline]] flat_answer plane_by_words(const T* row, flat_question question) noexcept {
+    using P = ball_and_plane<N>;
+    const scaled_plane_row<T> in{
+        {row, P::lengths}, {row + P::lengths, P::velocities}, {row + P::lengths + P::velocities, P::normals}};
+    return in.length.plain && in.velocity.plain && in.normal.plain
+               ? answer_of_plane<N>(P::template motion<bounded_word>(in), word_judge{}, question)
+               : flat_answer{};
+}
+
+// Inputs are checked here, where doubles are not certain.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr flat_answer decide_plane_slowly(const ball<N, T>& b, const plane<N, T>& p,
+                                                                       flat_question question, stage& by) {
+    using P = ball_and_plane<N>;
+    check(b, "ball");
+    check(p, name_of(p));
+    if (question != flat_question::clearance && is_zero(b.velocity)) {
+        return {true, encounter::recede};
+    }
+    const auto row = packed<P>(b, p);
+    if constexpr (has_error_free_doubles && !is_wide_integer<T>) {
+        if (!std::is_constant_evaluated() && rounds_to_nearest()) {
+            if (const flat_answer found = plane_by_words<N>(row.data(), question); found.certain) {
+                by = wider(by, stage::double_word);
+                return found;
+            }
+        }
+    }
+    by = stage::exact;
+    return answer_of_plane<N>(P::template motion<long_integer>(lift_row<P>(row)), exact_judge{}, question);
+}
+
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] constexpr inline encounter
+decide_plane(const filtered_plane<N, T>& f, const ball<N, T>& b, const plane<N, T>& p, stage& by) {
+    const auto found = f.what();
+    return found.certain ? found.what : decide_plane_slowly(b, p, flat_question::what, by).what;
+}
+
+} // namespace graze::inline v0_1::detail

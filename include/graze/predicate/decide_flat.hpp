@@ -1,0 +1,57 @@
+// What becomes of a ball and a wall or a triangle, and which feature it meets, exactly.
+#pragma once
+
+#include <graze/pair/flat_stages.hpp>
+#include <graze/pair/input_check.hpp>
+
+namespace graze::inline v0_1::detail {
+
+template <int N, class T>
+[[nodiscard]] constexpr bool is_triangle(const wall<N, T>&) noexcept {
+    return false;
+}
+template <class T>
+[[nodiscard]] constexpr bool is_triangle(const triangle<T>&) noexcept {
+    return true;
+}
+
+// Inputs are checked here, where doubles are not certain: those that are out of their range are not finite, or zero, or
+// merely odd.
+template <int N, class T, class Shape>
+[[nodiscard, gnu::noinline]] constexpr flat_answer decide_flat_slowly(const ball<N, T>& b, const Shape& shape,
+                                                                      flat_question question, stage& by) {
+    check(b, "ball");
+    check(shape, name_of(shape));
+    const auto row = packed<ball_and_wall<N>>(b, wall<N, T>{shape.corner, shape.edge});
+    const flat_answer found = refine_flat<N, T>(row, is_triangle(shape), is_zero(b.velocity), question, by);
+    if (!found.certain) {
+        reject(name_of(shape), "edges are parallel");
+    }
+    return found;
+}
+
+// by: the stage that decided.
+template <flat_question Question, int N, class T, class Shape>
+[[nodiscard]] constexpr flat_answer decide_flat(const ball<N, T>& b, const Shape& shape, stage& by) {
+    by = stage::filter;
+    if (!std::is_constant_evaluated() || is_moderate(b, wall<N, T>{shape.corner, shape.edge})) {
+        const auto m = rounded_flat_motion(b, shape.corner, shape.edge, is_triangle(shape));
+        filtered_judge<N, T> judge{magnitudes_of(m)};
+        if constexpr (Question == flat_question::clearance) {
+            forget_rest_in(judge.scales);
+        }
+        if (usable<T>(judge.scales) && plain_radii(b.radius, b.radius)) [[likely]] {
+            if constexpr (Question != flat_question::clearance) {
+                if (const flat_answer found = from_afar(m, judge); found.certain) {
+                    return found;
+                }
+            }
+            if (const flat_answer found = answer_of(m, judge, Question); found.certain) [[likely]] {
+                return found;
+            }
+        }
+    }
+    return decide_flat_slowly(b, shape, Question, by);
+}
+
+} // namespace graze::inline v0_1::detail
