@@ -28,8 +28,12 @@ struct vector_of {
 // What holds of each lane: all bits of its lane, or none.
 template <class T, int Lanes>
 struct pack_mask {
-    using vector = typename vector_of<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, Lanes>::type;
+    using integer = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    using vector = typename vector_of<integer, Lanes>::type;
     vector value;
+
+    // The same bits in every lane.
+    [[nodiscard, gnu::always_inline]] static pack_mask filled(integer bits) noexcept { return {vector{} + bits}; }
 
     [[nodiscard, gnu::always_inline]] friend inline pack_mask operator&(pack_mask x, pack_mask y) noexcept {
         return {x.value & y.value};
@@ -104,6 +108,12 @@ struct pack {
     [[nodiscard, gnu::always_inline]] friend inline pack operator*(pack x, pack y) noexcept {
         return of(x.value * y.value);
     }
+    [[nodiscard, gnu::always_inline]] friend inline pack operator/(pack x, pack y) noexcept {
+        return of(x.value / y.value);
+    }
+    [[nodiscard, gnu::always_inline]] friend inline pack operator*(T x, pack y) noexcept { return pack(x) * y; }
+    [[nodiscard, gnu::always_inline]] friend inline pack operator/(T x, pack y) noexcept { return pack(x) / y; }
+    [[nodiscard, gnu::always_inline]] friend inline pack operator+(T x, pack y) noexcept { return pack(x) + y; }
     [[nodiscard, gnu::always_inline]] friend inline mask operator<(pack x, pack y) noexcept {
 #if defined(__SSE2__) && !defined(__clang__) // g++ 12 takes what `&` joins out of such registers, and puts it back
         if constexpr (std::is_same_v<T, double> && Lanes == 2) {
@@ -114,6 +124,7 @@ struct pack {
 #endif
             return {x.value < y.value};
     }
+    [[nodiscard, gnu::always_inline]] friend inline mask operator<(pack x, T y) noexcept { return x < pack(y); }
     [[nodiscard, gnu::always_inline]] friend inline mask operator>(pack x, pack y) noexcept { return y < x; }
 };
 

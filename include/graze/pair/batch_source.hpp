@@ -26,6 +26,18 @@ template <class V, int N, class T>
     return {filled<V>(b.position), filled<V>(b.velocity), V(b.radius)};
 }
 
+// Half of the lanes as doubles, the first or the second.
+template <int Half, int Lanes>
+[[nodiscard, gnu::always_inline]] inline pack<double, Lanes / 2> widened(const pack<float, Lanes>& x) noexcept {
+    return pack<double, Lanes / 2>::made([&](int k) { return static_cast<double>(x[Half * Lanes / 2 + k]); });
+}
+template <int Half, int N, int Lanes>
+[[nodiscard, gnu::always_inline]] inline ball<N, pack<double, Lanes / 2>>
+widened(const ball<N, pack<float, Lanes>>& b) noexcept {
+    const auto vector = [](const auto& x) { return make_vec<N>([&x](int k) { return widened<Half>(x[k]); }); };
+    return {vector(b.position), vector(b.velocity), widened<Half>(b.radius)};
+}
+
 // Every source has: at(i), ball i; lanes_from<V>(i), the balls from i on; lanes_at<V>(i), ball i[k] in lane k.
 template <int N, class T>
 struct column_source {

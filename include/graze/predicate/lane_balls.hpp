@@ -45,22 +45,38 @@ struct lane_quadratic {
         : q(quadratic_of(m)), length2(graze::squared_norm(m.dx) + m.R * m.R), odd_radii(odd) {}
 };
 
-// By one constant, as started_filter does; see ball_filter. A NaN or an infinity makes a comparison false.
+// The three signs, by one constant, as started_filter does; see ball_filter. A NaN or an infinity makes a comparison
+// false, and leaves its lane open.
+template <int N, class V>
+struct filtered_lanes {
+    quadratic<V, V, V> q;
+    V discriminant;
+    typename V::mask parting, inside, missing;
+    unsigned open;
+
+    [[gnu::always_inline]] filtered_lanes(const ball<N, V>& a, const ball<N, V>& b) noexcept
+        : filtered_lanes(lane_quadratic<V>(a, b)) {}
+
+  private:
+    [[gnu::always_inline]] explicit filtered_lanes(const lane_quadratic<V>& lane) noexcept
+        : q(lane.q), discriminant(discriminant_halved{}(q)), parting(q.h > V(0)), inside(q.c < V(0)),
+          missing(discriminant < V(0)) {
+        using T = typename V::scalar;
+        using range = lane_range<T>;
+        const V scale = q.a * lane.length2;
+        const V bound = V(rounded_up<T>(lane_ball_filter<N, T>::discriminant)) * scale;
+        const auto others = (absolute(discriminant) > bound) & (absolute(q.a * q.c) > bound);
+        const auto certain = (q.h * q.h > bound) & (parting | others) & (q.a > V(range::smallest)) &
+                             (lane.length2 > V(range::smallest)) & (scale < V(range::largest));
+        open = (all_lanes<V> ^ bits_of(certain)) | lane.odd_radii;
+    }
+};
+
 template <int N, class V>
 [[nodiscard, gnu::always_inline]] inline lane_encounters<V> classify_lanes(const ball<N, V>& a,
                                                                            const ball<N, V>& b) noexcept {
-    using T = typename V::scalar;
-    using range = lane_range<T>;
-    const lane_quadratic<V> lane(a, b);
-    const auto& q = lane.q;
-    const V d = discriminant_halved{}(q);
-    const V scale = q.a * lane.length2;
-    const V bound = V(rounded_up<T>(lane_ball_filter<N, T>::discriminant)) * scale;
-    const V zero(0);
-    const auto parting = q.h > zero;
-    const auto certain = (q.h * q.h > bound) & (parting | ((absolute(d) > bound) & (absolute(q.a * q.c) > bound))) &
-                         (q.a > V(range::smallest)) & (lane.length2 > V(range::smallest)) & (scale < V(range::largest));
-    return {encounter_codes(parting, q.c < zero, d < zero), (all_lanes<V> ^ bits_of(certain)) | lane.odd_radii};
+    const filtered_lanes<N, V> lane(a, b);
+    return {encounter_codes(lane.parting, lane.inside, lane.missing), lane.open};
 }
 
 // Velocities have no part in the answer, but a bad one is still bad.

@@ -1,11 +1,13 @@
 // When the balls of many pairs touch first, asked at once.
 #pragma once
 
-#include <graze/pair/batch_blocks.hpp>
+#include <graze/time/batch_blocks.hpp>
 #include <graze/time/time_of_shapes.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <span>
+#include <type_traits>
 
 namespace graze::inline v0_1 {
 
@@ -27,6 +29,26 @@ template <int N, class T, class Y>
                                         : time->upper();
 }
 
+template <class A, class B>
+void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scalar>> time, rounding mode) {
+    using T = typename A::scalar;
+    require_size(a, b, time.size());
+    const auto one = [&](std::size_t i) { of_pair(i, [&] { time[i] = rounded_impact(a.at(i), b.at(i), mode); }); };
+    if constexpr (std::is_floating_point_v<T> && register_bytes > 0 &&
+                  requires { b.template lanes_at<native_pack<T>>({}); }) {
+        for (std::size_t from = 0; from < time.size(); from += block_size) {
+            const std::size_t count = std::min(block_size, time.size() - from);
+            open_pairs left;
+            time_lanes<native_pack<T>>(a, b, from, count, mode, time.data(), left);
+            left.each([&](std::size_t k) { one(from + k); });
+        }
+    } else {
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            one(i);
+        }
+    }
+}
+
 } // namespace detail
 
 namespace batch {
@@ -40,12 +62,7 @@ requires detail::batch_of<A, B>
 void time_of_impact(const A& a, const B& b,
                     std::span<detail::rounded_time_of<typename detail::source_for<A>::scalar>> time,
                     rounding mode = rounding::nearest) {
-    const auto x = detail::source_of(a);
-    const auto y = detail::source_of(b);
-    detail::require_size(x, y, time.size());
-    for (std::size_t i = 0; i < time.size(); ++i) {
-        detail::of_pair(i, [&] { time[i] = detail::rounded_impact(x.at(i), y.at(i), mode); });
-    }
+    detail::time_all(detail::source_of(a), detail::source_of(b), time, mode);
 }
 
 } // namespace batch

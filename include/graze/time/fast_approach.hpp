@@ -14,12 +14,18 @@
 #include <graze/shape/ball.hpp>
 #include <graze/time/rounding_test.hpp>
 
+#include <type_traits>
+#include <utility>
+
 namespace graze::inline v0_1::detail {
 
-// Δx with R in a lane of its own; Δu. Each is value + error, exactly: |error| <= u |value|.
-struct lane_motion {
-    exact_pair<lanes> x01, xR2, u01, u_2;
+// Δx with R in a lane of its own; Δu. Each is value + error, exactly: |error| <= u |value|. L: two numbers side by
+// side, which are doubles, or packs with a pair of balls in each of their lanes.
+template <class L>
+struct motion_side_by_side {
+    exact_pair<L> x01, xR2, u01, u_2;
 };
+using lane_motion = motion_side_by_side<lanes>;
 
 // From where the numbers of two balls start.
 template <int N, class T>
@@ -74,6 +80,29 @@ distance_residual(const lane_displacement<Fused, V>& y01, const lane_displacemen
     return {sum.value, sum.error + (low_terms(y01, square01) + less_R * low_terms(yR2, squareR2))};
 }
 
+// One of two numbers side by side; and what holds of it.
+template <class L>
+using number_of = std::remove_cvref_t<decltype(std::declval<const L&>()[0])>;
+template <class L>
+using condition_of = std::remove_cvref_t<decltype(std::declval<number_of<L>>() < std::declval<number_of<L>>())>;
+
+// Whether all of them hold, without a branch for each.
+template <class... B>
+[[nodiscard, gnu::always_inline]] inline auto hold_together(B... conditions) noexcept {
+    if constexpr ((std::is_same_v<B, bool> && ...)) {
+        return (static_cast<unsigned>(conditions) & ...) != 0;
+    } else {
+        return (conditions & ...);
+    }
+}
+
+// What a step from t0 gives; see fast_approach.
+template <class L>
+struct newton_step {
+    number_of<L> t1, error, sensitivity, per_time;
+    condition_of<L> good;
+};
+
 // τ = t0 + t1 with an error of at most `error`, if good.
 template <bool Fused>
 struct fast_approach {
@@ -109,6 +138,29 @@ struct fast_approach {
 //
 // length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
 // length2 more in f, 175 in place of 163, and error bounds it still.
+template <bool Fused, class L>
+[[nodiscard, gnu::always_inline]] inline newton_step<L>
+step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y01,
+          const lane_displacement<Fused, L>& yR2, const number_of<L>& length2) noexcept {
+    using number = number_of<L>;
+    const auto f = distance_residual(y01, yR2);
+    const number residual = settled(settled(f.value[0] + f.value[1]) + (f.error[0] + f.error[1]));
+
+    const L along = y01.high.value * m.u01.value + yR2.high.value * m.u_2.value;
+    const number sigma = -(along[0] + along[1]);
+    const L squares = m.u01.value * m.u01.value + m.u_2.value * m.u_2.value;
+    const number speed2 = squares[0] + squares[1];
+    const number inverse = 1 / sigma;
+    const number t1 = settled(residual * (0.5 * inverse));
+    const number per_time = speed2 * inverse;
+    const number way = length2 * inverse;
+    const number sensitivity = per_time * way;
+    const number magnitude = absolute(t1);
+    const number error = settled(0x1p-99 * way + magnitude * (0x1.dp-48 * sensitivity));
+    return {t1, error, sensitivity, per_time,
+            hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), sensitivity < 0x1p40,
+                          0x1p50 * magnitude < way)};
+}
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m, double time,
                                                                             double length2) noexcept {
@@ -117,33 +169,21 @@ template <bool Fused>
     r.t0 = as_factor<Fused>(both(time));
     r.y01 = displacement(m.x01, m.u01, r.t0);
     r.yR2 = displacement(m.xR2, m.u_2, r.t0);
-    const auto f = distance_residual(r.y01, r.yR2);
-    const double residual = settled(settled(f.value[0] + f.value[1]) + (f.error[0] + f.error[1]));
-
-    const lanes along = r.y01.high.value * m.u01.value + r.yR2.high.value * m.u_2.value;
-    const double sigma = -(along[0] + along[1]);
-    const lanes squares = m.u01.value * m.u01.value + m.u_2.value * m.u_2.value;
-    const double speed2 = squares[0] + squares[1];
-    const double inverse = 1 / sigma;
-    r.t1 = settled(residual * (0.5 * inverse));
-    r.per_time = speed2 * inverse;
-    const double way = length2 * inverse;
-    r.sensitivity = r.per_time * way;
-    const double magnitude = absolute(r.t1);
-    r.error = settled(0x1p-99 * way + magnitude * (0x1.dp-48 * r.sensitivity));
-    const auto all = [](auto... conditions) __attribute__((always_inline)) {
-        return (static_cast<unsigned>(conditions) & ...) != 0;
-    }; // one branch
-    r.good = all(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), r.sensitivity < 0x1p40,
-                 0x1p50 * magnitude < way);
+    const auto step = step_from(m, r.y01, r.yR2, length2);
+    r.t1 = step.t1;
+    r.error = step.error;
+    r.sensitivity = step.sensitivity;
+    r.per_time = step.per_time;
+    r.good = step.good;
     return r;
 }
 
 // |Δx|² + R².
-[[nodiscard, gnu::always_inline]] inline double squared_length(const lane_motion& m) noexcept {
-    const lanes x01 = m.x01.value * m.x01.value;
-    const lanes xR2 = m.xR2.value * m.xR2.value;
-    const lanes sum2 = x01 + xR2;
+template <class L>
+[[nodiscard, gnu::always_inline]] inline number_of<L> squared_length(const motion_side_by_side<L>& m) noexcept {
+    const L x01 = m.x01.value * m.x01.value;
+    const L xR2 = m.xR2.value * m.xR2.value;
+    const L sum2 = x01 + xR2;
     return sum2[0] + sum2[1];
 }
 template <bool Fused>
