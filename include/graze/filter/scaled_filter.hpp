@@ -18,7 +18,7 @@ struct magnitudes {
 };
 
 // Without a branch, which signs would mislead.
-[[nodiscard]] constexpr double size_of(double x) noexcept {
+[[nodiscard]] constexpr double magnitude_of(double x) noexcept {
     return !std::is_constant_evaluated() ? std::fabs(x) : x < 0 ? -x : x;
 }
 
@@ -26,9 +26,9 @@ struct magnitudes {
 template <int N>
 [[nodiscard, gnu::always_inline]] constexpr inline double sum_of_magnitudes(const vec<N, double>& x) noexcept {
     if constexpr (N == 2) {
-        return size_of(x[0]) + size_of(x[1]);
+        return magnitude_of(x[0]) + magnitude_of(x[1]);
     } else {
-        return size_of(x[0]) + size_of(x[1]) + size_of(x[2]);
+        return magnitude_of(x[0]) + magnitude_of(x[1]) + magnitude_of(x[2]);
     }
 }
 

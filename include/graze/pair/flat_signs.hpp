@@ -119,7 +119,7 @@ struct filtered_judge {
     // Not where the compiler has put a worse estimate in the place of the root.
     [[nodiscard]] constexpr bool root(double x, double& y) const noexcept {
         y = number_traits<double>::sqrt(x);
-        return size_of(y * y - x) <= 0x1p-50 * x;
+        return magnitude_of(y * y - x) <= 0x1p-50 * x;
     }
 
     template <class X>

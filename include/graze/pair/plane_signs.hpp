@@ -57,7 +57,7 @@ struct filtered_plane {
         const double clear = clearance();
         const unsigned parts = departs > k * both ? 1 : 0;
         const unsigned nears = departs < -k * both ? 1 : 0;
-        const unsigned known = size_of(clear) > clearance_error * (size * size) ? 1 : 0;
+        const unsigned known = magnitude_of(clear) > clearance_error * (size * size) ? 1 : 0;
         const unsigned answers = static_cast<unsigned>(encounter::hit) |
                                  static_cast<unsigned>(encounter::overlap) << 4 |
                                  static_cast<unsigned>(encounter::recede) * 0x1100U;
@@ -70,7 +70,7 @@ struct filtered_plane {
         const unsigned good = static_cast<unsigned>(usable<T>({scales.length, 1, scales.normal})) &
                               static_cast<unsigned>(plain_radii(b.radius, b.radius)) &
                               static_cast<unsigned>(is_finite(b.velocity));
-        return {good != 0 && size_of(clear) > clearance_error * (size * size),
+        return {good != 0 && magnitude_of(clear) > clearance_error * (size * size),
                 clear < 0 ? encounter::overlap : encounter::miss};
     }
 };
