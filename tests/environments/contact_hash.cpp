@@ -3,12 +3,15 @@
 #include "draw.hpp"
 #include "subject.hpp"
 
+#include <graze/batch.hpp>
+#include <graze/classify.hpp>
 #include <graze/collide.hpp>
 #include <graze/time/time_of_shapes.hpp>
 
 #include <bit>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 namespace environments {
 namespace {
@@ -161,6 +164,99 @@ void add(std::vector<hashed_subject>& subjects) {
     subjects.push_back({subject_name<N, T>(What::name, name_of(P)), run<What, P, N, T>});
 }
 
+// The same hash as that of times_of, from batches: of so many pairs at a time, of both kinds of registers several.
+constexpr std::size_t pairs_a_batch = 300;
+
+template <class T>
+struct batch_answers {
+    std::vector<graze::encounter> what;
+    std::vector<T> nearest, lower, upper;
+
+    template <class A, class B>
+    batch_answers(const A& a, const B& b) : what(a.size()), nearest(a.size()), lower(a.size()), upper(a.size()) {
+        graze::batch::classify(a, b, what);
+        graze::batch::time_of_impact(a, b, nearest);
+        graze::batch::time_of_impact(a, b, lower, graze::rounding::downward);
+        graze::batch::time_of_impact(a, b, upper, graze::rounding::upward);
+    }
+    void add(tally& t, hash& h, std::size_t i) const {
+        h.add(std::uint64_t{is_collision(what[i]) ? 1U : 0U});
+        if (is_collision(what[i])) {
+            h.add(nearest[i]);
+            h.add(lower[i]);
+            h.add(upper[i]);
+            ++t.contacts;
+        }
+    }
+};
+
+// Whether the pair is no bad input.
+template <class A, class B>
+[[nodiscard]] bool is_accepted(const A& a, const B& b) {
+    try {
+        (void)graze::classify(a, b);
+    } catch (const std::domain_error&) {
+        return false;
+    }
+    return true;
+}
+
+template <int N, class T>
+tally run_batches(std::uint64_t count) {
+    tally t;
+    hash h;
+    for (std::uint64_t first = 0; first < count; first += pairs_a_batch) {
+        std::vector<graze::ball<N, T>> a, b;
+        std::vector<bool> accepted;
+        for (std::uint64_t i = first; i < count && i < first + pairs_a_batch; ++i) {
+            const auto numbers = draw_numbers<partner::ball, N, T>(i);
+            with_shapes<partner::ball, N>(numbers.data(), [&](const auto& x, const auto& y) {
+                accepted.push_back(is_accepted(x, y));
+                if (accepted.back()) {
+                    a.push_back(x);
+                    b.push_back(y);
+                }
+            });
+        }
+        const batch_answers<T> answers(a, b);
+        std::size_t next = 0;
+        for (const bool good : accepted) {
+            if (good) {
+                answers.add(t, h, next++);
+            } else {
+                h.add(std::uint64_t{2});
+            }
+        }
+    }
+    t.hash = h.value();
+    return t;
+}
+
+// A plane of each pair, so that its ball is asked about as often as a register has lanes.
+template <int N, class T>
+tally run_plane_batches(std::uint64_t count) {
+    tally t;
+    hash h;
+    for (std::uint64_t index = 0; index < count; ++index) {
+        const auto numbers = draw_numbers<partner::plane, N, T>(index);
+        with_shapes<partner::plane, N>(numbers.data(), [&](const auto& x, const auto& plane) {
+            if (is_accepted(x, plane)) {
+                batch_answers<T>(std::vector(8, x), plane).add(t, h, 3);
+            } else {
+                h.add(std::uint64_t{2});
+            }
+        });
+    }
+    t.hash = h.value();
+    return t;
+}
+
+template <int N, class T>
+void add_batches(std::vector<hashed_subject>& subjects) {
+    subjects.push_back({subject_name<N, T>(times_of::name, name_of(partner::ball)), run_batches<N, T>});
+    subjects.push_back({subject_name<N, T>(times_of::name, name_of(partner::plane)), run_plane_batches<N, T>});
+}
+
 // All of one dimension and type.
 template <int N, class T>
 void add_all(std::vector<hashed_subject>& subjects) {
@@ -170,6 +266,7 @@ void add_all(std::vector<hashed_subject>& subjects) {
     add<times_of, partner::ball, N, T>(subjects);
     add<times_of, partner::plane, N, T>(subjects);
     add<times_of, partner::wall, N, T>(subjects);
+    add_batches<N, T>(subjects);
 }
 
 } // namespace
@@ -180,6 +277,7 @@ std::vector<hashed_subject> hashed_subjects() {
         add<contacts_of, partner::ball, 2, double>(subjects);
         // Of vectors of two, in which a compiler may look for zeros in another way.
         add<contacts_of, partner::plane, 2, double>(subjects);
+        add_batches<2, double>(subjects);
     } else {
         add_all<2, double>(subjects);
         add_all<3, double>(subjects);

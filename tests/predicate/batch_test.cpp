@@ -84,8 +84,8 @@ void check_types() {
 }
 
 // Balls against one plane or wall.
-template <int N, class Shape>
-void check_shape(const batches::many_balls<N, double>& balls, const Shape& shape) {
+template <int N, class T, class Shape>
+void check_shape(const batches::many_balls<N, T>& balls, const Shape& shape) {
     const auto& a = balls.all();
     const auto what = one_by_one(a, [&](std::size_t i) { return graze::classify(a[i], shape); });
     CHECK(classified(balls.columns(), shape, a.size()) == what);
@@ -93,6 +93,30 @@ void check_shape(const batches::many_balls<N, double>& balls, const Shape& shape
     const auto inside = one_by_one(a, [&](std::size_t i) { return graze::overlaps(a[i], shape) ? 1 : 0; });
     CHECK(overlapping(balls.columns(), shape, a.size()) == inside);
     CHECK(overlapping(a, shape, a.size()) == inside);
+}
+
+// Balls in their own units and in any, against planes and walls of several sizes.
+template <int N, class T>
+void check_units() {
+    const auto own = batches::draw<N, T>(5, 2'000, 64, batches::units::own);
+    const auto any = batches::draw<N, T>(6, 2'000, 64, batches::units::any);
+    for (const int power : {0, 1, -12, 30, -60}) {
+        const auto size = static_cast<T>(std::ldexp(1.0, power));
+        graze::plane<N, T> p{};
+        graze::wall<N, T> w{};
+        for (int k = 0; k < N; ++k) {
+            p.point[k] = T(0.25) * static_cast<T>(k + 1);
+            p.normal[k] = size / static_cast<T>(2 - k * k);
+            w.corner[k] = T(-0.5) * size;
+            for (std::size_t e = 0; e < w.edge.size(); ++e) {
+                w.edge[e][k] = size * (static_cast<int>(e) == k ? T(1) : T(0.125));
+            }
+        }
+        check_shape(own.a, p);
+        check_shape(any.a, p);
+        check_shape(own.a, w);
+        check_shape(any.a, w);
+    }
 }
 
 template <int N, class T>
@@ -155,17 +179,8 @@ TEST_CASE_TEMPLATE("Balls against a plane or a wall", dimension, std::integral_c
     std::for_each(families::all_families.begin(), families::all_families.end(), check_family);
     std::for_each(families::more_families.begin(), families::more_families.end(), check_family);
     CHECK(planes > 50);
-    const auto generic = batches::draw<n, double>(5, 3'000, 64, batches::units::own);
-    const auto any = batches::draw<n, double>(6, 3'000, 64, batches::units::any);
-    for (const int power : {0, 1, -30, 200, -300}) {
-        graze::plane<n> p{};
-        for (int k = 0; k < n; ++k) {
-            p.point[k] = 0.25 * (k + 1);
-            p.normal[k] = std::ldexp(1.0 / (2 - k * k), power);
-        }
-        check_shape(generic.a, p);
-        check_shape(any.a, p);
-    }
+    check_units<n, double>();
+    check_units<n, float>();
 }
 
 TEST_CASE("The oracle says the same of hard pairs") {

@@ -39,14 +39,14 @@ inline constexpr int open = 2;
 }
 
 // scale^Power, Power >= 0.
-template <int Power>
-[[nodiscard]] constexpr double power_of(double scale) noexcept {
+template <int Power, class S>
+[[nodiscard]] constexpr S power_of(const S& scale) noexcept {
     if constexpr (Power == 0) {
-        return 1.0;
+        return S(1);
     } else if constexpr (Power == 1) {
         return scale;
     } else {
-        const double half = power_of<Power / 2>(scale);
+        const S half = power_of<Power / 2>(scale);
         return Power % 2 == 0 ? half * half : half * half * scale;
     }
 }

@@ -129,14 +129,15 @@ template <int N, class T>
 [[nodiscard, gnu::always_inline]] constexpr inline flat_extent<T> extent_of(const flat_motion<N, T>& m) {
     const T zero(0);
     const T first = graze::dot(m.u, m.e[0]);
-    const T above = std::max(zero, first), below = std::min(zero, first);
+    const T above = graze::larger(zero, first), below = graze::smaller(zero, first);
     if constexpr (N == 2) {
         return {graze::dot(m.w, m.u), above, below};
     } else {
         const T second = graze::dot(m.u, m.e[1]);
-        return m.is_triangle ? flat_extent<T>{graze::dot(m.w, m.u), std::max(above, second), std::min(below, second)}
-                             : flat_extent<T>{graze::dot(m.w, m.u), above + std::max(zero, second),
-                                              below + std::min(zero, second)};
+        return m.is_triangle
+                   ? flat_extent<T>{graze::dot(m.w, m.u), graze::larger(above, second), graze::smaller(below, second)}
+                   : flat_extent<T>{graze::dot(m.w, m.u), above + graze::larger(zero, second),
+                                    below + graze::smaller(zero, second)};
     }
 }
 // |e₀ × e₁|², positive if the edges are not parallel.
@@ -182,7 +183,8 @@ template <int N, class T>
     if constexpr (N == 2) {
         return {from_first, m.u, m.r, e.first};
     } else {
-        return {from_first - m.e[1], m.u, m.r, e.first + e.second + graze::twice(std::max(e.between, T(-e.between)))};
+        return {from_first - m.e[1], m.u, m.r,
+                e.first + e.second + graze::twice(graze::larger(e.between, T(-e.between)))};
     }
 }
 struct passes_beside {

@@ -132,6 +132,13 @@ struct pack {
 template <class T>
 using native_pack = pack<T, register_bytes / static_cast<int>(sizeof(T))>;
 
+// x where the condition holds, else y.
+template <class T, int Lanes>
+[[nodiscard, gnu::always_inline]] inline pack<T, Lanes> chosen(pack_mask<T, Lanes> condition, pack<T, Lanes> x,
+                                                               pack<T, Lanes> y) noexcept {
+    return pack<T, Lanes>::of((condition & x.bits()) | (~condition & y.bits()));
+}
+
 // |x|, by its bits.
 template <class T, int Lanes>
 [[nodiscard, gnu::always_inline]] inline pack<T, Lanes> absolute(const pack<T, Lanes>& x) noexcept {

@@ -1,10 +1,12 @@
-// Error-free transforms and square roots in lanes: what machine/error_free.hpp asks of a type that is none of the
-// compiler's.
+// Error-free transforms, square roots and ranges in lanes: what is asked of a type that is none of the compiler's.
 #pragma once
 
 #include <graze/machine/error_free.hpp>
 #include <graze/machine/lanes.hpp>
 #include <graze/machine/pack.hpp>
+
+#include <bit>
+#include <cstdint>
 
 namespace graze::inline v0_1::detail {
 
@@ -52,6 +54,14 @@ template <int Lanes>
     return V::of(__builtin_elementwise_sqrt(x.value));
 #endif
     return V::made([&](int k) { return plain_sqrt(x[k]); });
+}
+
+// Whether x is in [2^Low, 2^High).
+template <int Low, int High, int Lanes>
+[[nodiscard, gnu::always_inline]] inline pack_mask<double, Lanes> within_powers(const pack<double, Lanes>& x) noexcept {
+    using V = pack<double, Lanes>;
+    constexpr auto power = [](int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52); };
+    return ~(x < V(power(Low))) & (x < V(power(High)));
 }
 
 // Two packs side by side, as `lanes` are two doubles.

@@ -96,6 +96,24 @@ template <number T>
     }
 }
 
+// The larger and the smaller of x and y. A type whose comparison is no bool brings its own in its traits.
+template <class T>
+[[nodiscard]] constexpr T larger(const T& x, const T& y) {
+    if constexpr (requires { number_traits<T>::larger(x, y); }) {
+        return number_traits<T>::larger(x, y);
+    } else {
+        return x < y ? y : x;
+    }
+}
+template <class T>
+[[nodiscard]] constexpr T smaller(const T& x, const T& y) {
+    if constexpr (requires { number_traits<T>::smaller(x, y); }) {
+        return number_traits<T>::smaller(x, y);
+    } else {
+        return y < x ? y : x;
+    }
+}
+
 // The square root by the type's own routine, with that routine's error.
 template <has_sqrt T>
 [[nodiscard]] constexpr T square_root(const T& x) {

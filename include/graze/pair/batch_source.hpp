@@ -6,6 +6,7 @@
 #include <graze/shape/ball.hpp>
 #include <graze/shape/columns.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <array>
@@ -19,7 +20,7 @@ namespace graze::inline v0_1::detail {
 // The same in every lane.
 template <class V, int N, class T>
 [[nodiscard, gnu::always_inline]] inline vec<N, V> filled(const vec<N, T>& x) noexcept {
-    return make_vec<N>([&x](int k) { return V(x[k]); });
+    return make_vec<N>([&x](int k) { return V(static_cast<typename V::scalar>(x[k])); });
 }
 template <class V, int N, class T>
 [[nodiscard, gnu::always_inline]] inline ball<N, V> filled(const ball<N, T>& b) noexcept {
@@ -150,6 +151,11 @@ template <int N, class T>
 }
 template <int N, class T>
 [[nodiscard]] constexpr single_source<wall<N, T>> source_of(const wall<N, T>& x) noexcept {
+    return {&x};
+}
+
+template <class T>
+[[nodiscard]] constexpr single_source<triangle<T>> source_of(const triangle<T>& x) noexcept {
     return {&x};
 }
 

@@ -4,6 +4,7 @@
 #include <graze/pair/batch_blocks.hpp>
 #include <graze/predicate/lane_balls.hpp>
 #include <graze/predicate/lane_planes.hpp>
+#include <graze/predicate/lane_walls.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
 
 #include <span>

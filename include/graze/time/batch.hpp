@@ -30,12 +30,21 @@ template <int N, class T, class Y>
 }
 
 template <class A, class B>
+inline constexpr bool has_time_lanes = [] {
+    using T = typename A::scalar;
+    if constexpr (std::is_floating_point_v<T> && register_bytes > 0) {
+        return requires(const B& b) { b.template lanes_at<native_pack<T>>({}); };
+    } else {
+        return false;
+    }
+}();
+
+template <class A, class B>
 void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scalar>> time, rounding mode) {
     using T = typename A::scalar;
     require_size(a, b, time.size());
     const auto one = [&](std::size_t i) { of_pair(i, [&] { time[i] = rounded_impact(a.at(i), b.at(i), mode); }); };
-    if constexpr (std::is_floating_point_v<T> && register_bytes > 0 &&
-                  requires { b.template lanes_at<native_pack<T>>({}); }) {
+    if constexpr (has_time_lanes<A, B>) {
         for (std::size_t from = 0; from < time.size(); from += block_size) {
             const std::size_t count = std::min(block_size, time.size() - from);
             open_pairs left;

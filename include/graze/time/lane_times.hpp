@@ -14,13 +14,6 @@
 
 namespace graze::inline v0_1::detail {
 
-template <int Low, int High, int Lanes>
-[[nodiscard, gnu::always_inline]] inline pack_mask<double, Lanes> within_powers(const pack<double, Lanes>& x) noexcept {
-    using V = pack<double, Lanes>;
-    constexpr auto power = [](int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52); };
-    return ~(x < V(power(Low))) & (x < V(power(High)));
-}
-
 // Times that are certain at once: 0 of an overlap, +infinity of those that never touch. Of a hit, one near it.
 template <class V>
 struct lane_times {
