@@ -18,6 +18,13 @@ namespace {
 
 using graze::encounter;
 
+// The registers of graze::compiled, if there are any.
+#if defined(__x86_64__)
+constexpr int wider = 32;
+#else
+constexpr int wider = 0;
+#endif
+
 // std::vector<bool> has no bools.
 class bools {
   public:
@@ -29,16 +36,24 @@ class bools {
     std::size_t size_;
 };
 
+// In the registers of this unit, and in the widest ones of graze::compiled: the same, or nothing.
 template <class A, class B>
 std::vector<encounter> classified(const A& a, const B& b, std::size_t size) {
     std::vector<encounter> what(size, encounter{-1});
     graze::batch::classify(a, b, what);
+    std::vector<encounter> wide(size, encounter{-1});
+    using question = graze::detail::batch_classify;
+    graze::detail::decide_all<question, wider>(graze::detail::source_of(a), graze::detail::source_of(b), wide);
+    CHECK(wide == what);
     return what;
 }
 template <class A, class B>
 std::vector<int> overlapping(const A& a, const B& b, std::size_t size) {
-    bools inside(size);
+    bools inside(size), wide(size);
     graze::batch::overlaps(a, b, inside.all());
+    using question = graze::detail::batch_overlaps;
+    graze::detail::decide_all<question, wider>(graze::detail::source_of(a), graze::detail::source_of(b), wide.all());
+    CHECK(std::equal(wide.all().begin(), wide.all().end(), inside.all().begin()));
     return {inside.all().begin(), inside.all().end()};
 }
 

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,20 +15,12 @@ namespace {
 
 using graze::rounding;
 
-template <class A, class B, class T>
-std::vector<T> times_of(const A& a, const B& b, rounding mode, std::vector<T> time) {
-    graze::batch::time_of_impact(a, b, time, mode);
-    return time;
-}
-
-template <int N, class T, class B>
-T scalar_time(const graze::ball<N, T>& a, const B& b, rounding mode) {
-    const auto time = graze::time_of_impact(a, b);
-    return !time                        ? std::numeric_limits<T>::infinity()
-           : mode == rounding::nearest  ? static_cast<T>(*time)
-           : mode == rounding::downward ? time->lower()
-                                        : time->upper();
-}
+// The registers of graze::compiled, if there are any.
+#if defined(__x86_64__)
+constexpr int wider = 32;
+#else
+constexpr int wider = 0;
+#endif
 
 // +0 and -0 differ.
 template <class T>
@@ -39,6 +32,24 @@ bool same_bits(const std::vector<T>& x, const std::vector<T>& y) {
         }
     }
     return x.size() == y.size();
+}
+
+template <class A, class B, class T>
+std::vector<T> times_of(const A& a, const B& b, rounding mode, std::vector<T> time) {
+    std::vector<T> wide = time;
+    graze::batch::time_of_impact(a, b, time, mode);
+    graze::detail::time_all<wider>(graze::detail::source_of(a), graze::detail::source_of(b), std::span(wide), mode);
+    CHECK(same_bits(time, wide));
+    return time;
+}
+
+template <int N, class T, class B>
+T scalar_time(const graze::ball<N, T>& a, const B& b, rounding mode) {
+    const auto time = graze::time_of_impact(a, b);
+    return !time                        ? std::numeric_limits<T>::infinity()
+           : mode == rounding::nearest  ? static_cast<T>(*time)
+           : mode == rounding::downward ? time->lower()
+                                        : time->upper();
 }
 
 template <int N, class T>

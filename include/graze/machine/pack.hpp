@@ -18,6 +18,22 @@ inline constexpr int register_bytes = 16;
 inline constexpr int register_bytes = 0;
 #endif
 
+// The bytes of the registers for which graze::compiled has units of its own, where it is linked with: 0 where that is
+// none or no more.
+#if defined(GRAZE_COMPILED) && defined(__GNUC__) && defined(__x86_64__)
+inline constexpr int compiled_register_bytes = register_bytes < 32 ? 32 : 0;
+#else
+inline constexpr int compiled_register_bytes = 0;
+#endif
+// Whether this machine has those registers.
+[[nodiscard]] inline bool has_compiled_registers() noexcept {
+#if defined(__GNUC__) && defined(__x86_64__)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+    return false;
+#endif
+}
+
 template <class T, int Lanes>
 struct vector_of {
 #if defined(__GNUC__)

@@ -67,6 +67,11 @@ template <class Question, class V, class A, class B>
     left.add_rest(i, count);
 }
 
+// ask_lanes in registers of so many bytes, in a unit of graze::compiled.
+template <int Bytes, class Question, class A, class B>
+void ask_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t count, typename Question::answer* answers,
+                        open_pairs& left) noexcept;
+
 // Whether lanes of V can be asked.
 template <class Question, class V, class A, class B>
 inline constexpr bool has_lanes_of = [] {
@@ -86,6 +91,19 @@ inline constexpr bool has_lanes = [] {
     }
 }();
 
+// In the widest registers that there are. Wider is part of the name of what depends on it.
+template <int Wider, class Question, class A, class B>
+void ask_widest_lanes(const A& a, const B& b, std::size_t from, std::size_t count, typename Question::answer* answers,
+                      open_pairs& left) noexcept {
+    if constexpr (Wider > 0) {
+        if (has_compiled_registers()) {
+            ask_compiled_lanes<Wider, Question>(a, b, from, count, answers, left);
+            return;
+        }
+    }
+    ask_lanes<Question, native_pack<typename A::scalar>>(a, b, from, count, answers, left);
+}
+
 template <class Question, class A, class B>
 [[gnu::noinline]] void settle(const A& a, const B& b, std::size_t from, const open_pairs& left,
                               typename Question::answer* answers) {
@@ -95,14 +113,14 @@ template <class Question, class A, class B>
     });
 }
 
-template <class Question, class A, class B>
+template <class Question, int Wider = compiled_register_bytes, class A, class B>
 void decide_all(const A& a, const B& b, std::span<typename Question::answer> answers) {
     require_size(a, b, answers.size());
     if constexpr (has_lanes<Question, A, B>) {
         for (std::size_t from = 0; from < answers.size(); from += block_size) {
             const std::size_t count = std::min(block_size, answers.size() - from);
             open_pairs left;
-            ask_lanes<Question, native_pack<typename A::scalar>>(a, b, from, count, answers.data(), left);
+            ask_widest_lanes<Wider, Question>(a, b, from, count, answers.data(), left);
             settle<Question>(a, b, from, left, answers.data());
         }
     } else {

@@ -39,16 +39,15 @@ inline constexpr bool has_time_lanes = [] {
     }
 }();
 
-template <class A, class B>
+template <int Wider = compiled_register_bytes, class A, class B>
 void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scalar>> time, rounding mode) {
-    using T = typename A::scalar;
     require_size(a, b, time.size());
     const auto one = [&](std::size_t i) { of_pair(i, [&] { time[i] = rounded_impact(a.at(i), b.at(i), mode); }); };
     if constexpr (has_time_lanes<A, B>) {
         for (std::size_t from = 0; from < time.size(); from += block_size) {
             const std::size_t count = std::min(block_size, time.size() - from);
             open_pairs left;
-            time_lanes<native_pack<T>>(a, b, from, count, mode, time.data(), left);
+            time_widest_lanes<Wider>(a, b, from, count, mode, time.data(), left);
             left.each([&](std::size_t k) { one(from + k); });
         }
     } else {

@@ -103,4 +103,21 @@ template <class V, class A, class B>
     }
 }
 
+// time_lanes in registers of so many bytes, in a unit of graze::compiled.
+template <int Bytes, class A, class B>
+void time_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t count, rounding mode,
+                         typename A::scalar* time, open_pairs& left) noexcept;
+
+template <int Wider, class A, class B>
+void time_widest_lanes(const A& a, const B& b, std::size_t from, std::size_t count, rounding mode,
+                       typename A::scalar* time, open_pairs& left) noexcept {
+    if constexpr (Wider > 0) {
+        if (has_compiled_registers()) {
+            time_compiled_lanes<Wider>(a, b, from, count, mode, time, left);
+            return;
+        }
+    }
+    time_lanes<native_pack<typename A::scalar>>(a, b, from, count, mode, time, left);
+}
+
 } // namespace graze::inline v0_1::detail
