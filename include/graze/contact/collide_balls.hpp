@@ -27,6 +27,10 @@ struct two_massive_balls {
         }
 
         [[nodiscard]] constexpr int width() const noexcept { return std::max(pair.width(), mass.width); }
+        constexpr void use(workspace& w) noexcept {
+            pair.use(w);
+            mass.room = &w;
+        }
     };
 
     template <class I>

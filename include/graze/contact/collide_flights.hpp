@@ -14,39 +14,35 @@ namespace detail {
 template <int N, class T>
 [[gnu::noinline]] constexpr void complete(contact<N, T>& c, parts wanted, encounter what, const flight<N, T>& a,
                                           const flight<N, T>& b) {
-    const auto in = lift_flights(a, b);
+    timed_workspace room;
+    auto in = lift_flights(a, b);
+    in.use(room);
     lifted<2> mass;
     const T masses[2] = {effective_mass<T>(a.state.mass, b.state.mass), effective_mass<T>(b.state.mass, a.state.mass)};
     lift(mass, masses);
+    mass.room = &room;
     const scales units{in.pair.length.exponent, in.pair.velocity.exponent};
-    const auto round = [&]<class X, class U, class S>(const exact_flights<N, X, U, S>& pair, auto no_mass) {
-        using W = decltype(no_mass);
-        const auto motion = pair.motion();
-        const auto position_a = pair.position(pair.a);
-        const auto position_b = pair.position(pair.b);
-        if (what == encounter::overlap) {
-            const auto rounded = [&](const auto& x) {
-                using Z = surd_integer_for<decltype(motion)>;
-                return round_to<T>(x, Z(0), radicand<Z>(), Z(1), units.length);
-            };
-            fill(c.position_a, wanted, part::position_a, [&](int i) { return rounded(position_a[i]); });
-            fill(c.position_b, wanted, part::position_b, [&](int i) { return rounded(position_b[i]); });
-        }
-        using M = std::remove_cvref_t<decltype(motion)>;
-        const exact_balls<N, M, std::remove_cvref_t<decltype(position_a[0])>, U, W> e{motion,
-                                                                                      position_a,
-                                                                                      position_b,
-                                                                                      pair.a.state.velocity,
-                                                                                      pair.b.state.velocity,
-                                                                                      mass.template get<W>(0),
-                                                                                      mass.template get<W>(1)};
-        round_balls(c, wanted, what, e, units, from_earlier<S>{pair.start()});
-    };
-    if (is_narrow(in) && mass.width <= one_limb_width) {
-        round(flights_in<narrow_flights>(in), integer<one_limb_width>());
-    } else {
-        round(flights_in<wide_flights>(in), sparse_integer<full_width>());
+    const auto pair = flights_in(in);
+    const auto motion = pair.motion();
+    const auto position_a = pair.position(pair.a);
+    const auto position_b = pair.position(pair.b);
+    if (what == encounter::overlap) {
+        const auto rounded = [&](const big_integer& x) {
+            const workspace::scope scope(&room);
+            return round_to<T>(x, big_integer(0), radicand<big_integer>(), big_integer(1), units.length);
+        };
+        fill(c.position_a, wanted, part::position_a, [&](int i) { return rounded(position_a[i]); });
+        fill(c.position_b, wanted, part::position_b, [&](int i) { return rounded(position_b[i]); });
     }
+    const exact_balls<N, std::remove_cvref_t<decltype(motion)>, big_integer, big_integer, big_integer> e{
+        motion,
+        position_a,
+        position_b,
+        pair.a.state.velocity,
+        pair.b.state.velocity,
+        mass.template get<big_integer>(0),
+        mass.template get<big_integer>(1)};
+    round_balls(c, wanted, what, e, units, from_earlier<big_integer>{pair.start()});
 }
 
 // The contact of two flights of which it has been decided what becomes of them; f: what the filter knows of them, which

@@ -18,6 +18,9 @@ template <template <int> class Integer, int Bits>
     return Integer<2>(2);
 }
 
+[[nodiscard]] constexpr big_integer one_like(const big_integer&) noexcept { return 1; }
+[[nodiscard]] constexpr big_integer two_like(const big_integer&) noexcept { return 2; }
+
 template <int N, class T, class M, class I>
 constexpr void round_face(wall_contact<N, T>& c, parts wanted, encounter what, const M& m, const vec<N, I>& x,
                           scales units) {

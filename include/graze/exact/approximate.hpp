@@ -1,6 +1,7 @@
 // Wide integers as doubles with a separate exponent.
 #pragma once
 
+#include <graze/exact/big_integer.hpp>
 #include <graze/exact/sparse_integer.hpp>
 
 #include <bit>
@@ -50,6 +51,16 @@ template <int Bits>
         return {high, 64 * position};
     }
     return {high + static_cast<double>(x.digit(last - 1)) * 0x1p-64, 64 * position};
+}
+
+[[nodiscard, gnu::noinline]] constexpr scaled_double approximate(const big_integer& x) noexcept {
+    if (x.count() == 0) {
+        return {};
+    }
+    const int last = x.count() - 1;
+    const double high = static_cast<double>(x.digit(last)) +
+                        (last > 0 ? static_cast<double>(x.digit(last - 1)) * 0x1p-64 : 0.0);
+    return {x.is_negated() ? -high : high, 64 * (x.low() + last)};
 }
 
 } // namespace graze::inline v0_1::detail

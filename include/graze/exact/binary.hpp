@@ -1,6 +1,7 @@
 // Finite binary numbers as significand · 2^exponent, from their bits alone.
 #pragma once
 
+#include <graze/exact/big_integer.hpp>
 #include <graze/machine/fence.hpp>
 
 #include <array>
@@ -132,11 +133,17 @@ struct lifted {
     int zeros = 0;  // below every significand
     int exponent = 0;
     int width = 0;
+    workspace* room = nullptr; // where the digits of big integers lie
 
-    // Value i over 2^exponent, in an integer type of at least `width` bits.
+    // Value i over 2^exponent, in an integer type of at least `width` bits, or of any size.
     template <class I>
     [[nodiscard]] constexpr I get(std::size_t i) const noexcept {
-        return I::from_shifted(significand[i] >> zeros, significand[i] != 0 ? power[i] - lowest : 0);
+        const int shift = significand[i] != 0 ? power[i] - lowest : 0;
+        if constexpr (std::same_as<I, big_integer>) {
+            return I::from_shifted(*room, significand[i] >> zeros, shift);
+        } else {
+            return I::from_shifted(significand[i] >> zeros, shift);
+        }
     }
 };
 

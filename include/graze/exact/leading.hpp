@@ -2,6 +2,8 @@
 // every floating-point environment and in constant expressions.
 #pragma once
 
+#include <graze/exact/big_integer.hpp>
+#include <graze/exact/integer.hpp>
 #include <graze/exact/sparse_integer.hpp>
 #include <graze/machine/wide_divide.hpp>
 
@@ -87,6 +89,31 @@ template <int Bits>
         return leading_of_words(digit[0], digit[1], 64 * (top - 1), negative, 1);
     }
     return leading_of_words(digit[1], digit[2], 64 * (top - 2), negative, 1);
+}
+
+[[nodiscard, gnu::noinline]] constexpr leading leading_of(const big_integer& x) noexcept {
+    const int top = x.count() - 1;
+    if (top < 0) {
+        return {};
+    }
+    std::uint64_t digit[3] = {static_cast<std::uint64_t>(x.digit(top)), 0, 0}; // two's complement, highest first
+    for (int place = 1; place <= 2 && place <= top; ++place) {
+        const std::int64_t value = x.digit(top - place);
+        digit[place] = static_cast<std::uint64_t>(value);
+        for (int above = place - 1; value < 0 && above >= 0 && digit[above]-- == 0; --above) {
+        }
+    }
+    if (x.digit(top) < 0) {
+        std::uint64_t carry = 1;
+        for (int i = 2; i >= 0; --i) {
+            digit[i] = add_with_carry(~digit[i], 0, carry);
+        }
+    }
+    const int position = x.low() + top;
+    const bool negative = x.sign() < 0;
+    const std::uint64_t error = top > 2 ? 1 : 0;
+    return digit[0] != 0 ? leading_of_words(digit[0], digit[1], 64 * (position - 1), negative, 1)
+                         : leading_of_words(digit[1], digit[2], 64 * (position - 2), negative, error);
 }
 
 // s₁s₂ is off by at most 2^64 (e₁ + e₂) + e₁e₂, which is less than e₁ + e₂ + 1 units of its upper half.

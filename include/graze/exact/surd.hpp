@@ -15,16 +15,13 @@ namespace graze::inline v0_1 {
 namespace detail {
 
 template <class I>
-struct surd_integers;
+struct surd_integers {
+    using type = I;
+};
 template <int Bits>
 struct surd_integers<integer<Bits>> {
     static_assert(Bits <= 128);
     using type = integer<Bits <= 64 ? 576 : 1152>;
-};
-template <int Bits>
-struct surd_integers<sparse_integer<Bits>> {
-    static_assert(Bits <= 4160);
-    using type = sparse_integer<Bits <= 2112 ? 19456 : 38400>;
 };
 
 } // namespace detail
@@ -41,50 +38,71 @@ namespace detail {
 // flights down to 2^-3119.
 inline constexpr int largest_shift = 3119 + 971;
 
-template <int Bits>
-[[nodiscard]] constexpr const sparse_integer<Bits>& to_sparse(const sparse_integer<Bits>& x) noexcept {
-    return x;
-}
-// Balanced digits; one more than there are limbs if the highest one carries.
-template <int Bits>
-[[nodiscard]] constexpr sparse_integer<Bits> to_sparse(const integer<Bits>& x) noexcept {
-    sparse_integer<Bits> r;
-    std::uint64_t carry = 0;
-    for (int i = 0; i <= integer<Bits>::limbs; ++i) {
-        const std::uint64_t limb = x.limb(i) + carry;
-        carry = limb < carry || (limb >> 63 != 0 && i < integer<Bits>::limbs) ? 1 : 0;
-        r.append(i, static_cast<std::int64_t>(limb));
-    }
-    return r;
+[[nodiscard]] constexpr workspace* room_of(const big_integer& x, const big_integer& y, const big_integer& z) noexcept {
+    return x.room() != nullptr ? x.room() : y.room() != nullptr ? y.room() : z.room();
 }
 
 // The sign of |p + q√d| 2^scale - m r 2^exponent, given the sign of p + q√d.
-template <int Bits>
-[[nodiscard]] constexpr int against_boundary(const sparse_integer<Bits>& p, const sparse_integer<Bits>& q,
-                                             const sparse_integer<Bits>& d, const sparse_integer<Bits>& r,
-                                             bool negative, int scale, std::uint64_t m, int exponent) {
-    using power = sparse_integer<largest_shift + 56>;
+[[nodiscard, gnu::noinline]] constexpr int against_boundary(const big_integer& p, const big_integer& q,
+                                                            const big_integer& d, const big_integer& r, bool negative,
+                                                            int scale, std::uint64_t m, int exponent) {
+    workspace* const room = room_of(p, q, r);
+    const workspace::scope scope(room);
     const int up = scale - exponent;
-    const auto unit = power::from_shifted(negative ? -1 : 1, up > 0 ? up : 0);
-    const auto boundary = power::from_shifted(static_cast<std::int64_t>(m), up < 0 ? -up : 0);
+    const auto unit = big_integer::from_shifted(*room, negative ? -1 : 1, up > 0 ? up : 0);
+    const auto boundary = big_integer::from_shifted(*room, static_cast<std::int64_t>(m), up < 0 ? -up : 0);
     return sign_of_root_sum(p * unit - r * boundary, q * unit, d);
 }
 
-// The same for any integer type Z.
-template <class Z>
-[[nodiscard, gnu::noinline]] constexpr int against_boundary(const Z& p, const Z& q, const Z& d, const Z& r,
-                                                            bool negative, int scale, std::uint64_t m, int exponent) {
-    return against_boundary(to_sparse(p), to_sparse(q), to_sparse(d), to_sparse(r), negative, scale, m, exponent);
-}
-
 // p + q√d where p and q√d cancel, as (p² - q²d)/(p - q√d), whose denominator does not cancel.
-template <int Bits>
-[[nodiscard]] constexpr leading estimate_by_norm(const sparse_integer<Bits>& p, const sparse_integer<Bits>& q,
-                                                 const sparse_integer<Bits>& d, leading first, leading second) {
+[[nodiscard, gnu::noinline]] constexpr leading estimate_by_norm(const big_integer& p, const big_integer& q,
+                                                                const big_integer& d, leading first, leading second) {
+    const workspace::scope scope(room_of(p, q, d));
     leading norm = leading_of(p * p - q * q * d);
     norm.negative = norm.negative != first.negative;
     first.negative = second.negative = false;
     return norm / (first + second);
+}
+
+// (p + q√d)/r · 2^scale rounded, whatever the leading bits leave open.
+template <class T>
+[[nodiscard, gnu::noinline]] constexpr T round_by_sign(const big_integer& p, const big_integer& q, const big_integer& d,
+                                                       const leading& root, const big_integer& r, int scale,
+                                                       rounding mode) {
+    const leading first = leading_of(p);
+    const leading second = leading_of(q) * root;
+    leading value = first + second;
+    if (!value.is_within(largest_error<T>)) {
+        value = estimate_by_norm(p, q, d, first, second);
+    }
+    if (value.significand == 0) {
+        return from_bits<T>(0, false);
+    }
+    value = value / leading_of(r);
+    value.exponent += scale;
+    return round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
+        return against_boundary(p, q, d, r, value.negative, scale, m, exponent);
+    });
+}
+
+// The same two for integers whose width is in their type.
+inline constexpr int surd_room = 2048;
+template <int Bits>
+[[nodiscard, gnu::noinline]] constexpr int
+against_boundary(const integer<Bits>& p, const integer<Bits>& q, const integer<Bits>& d, const integer<Bits>& r,
+                 bool negative, int scale, std::uint64_t m, int exponent) {
+    static_assert(Bits <= 1152);
+    workspace_of<surd_room> room;
+    return against_boundary(to_big(room, p), to_big(room, q), to_big(room, d), to_big(room, r), negative, scale, m,
+                            exponent);
+}
+template <class T, int Bits>
+[[nodiscard, gnu::noinline]] constexpr T round_by_sign(const integer<Bits>& p, const integer<Bits>& q,
+                                                       const integer<Bits>& d, const leading& root,
+                                                       const integer<Bits>& r, int scale, rounding mode) {
+    static_assert(Bits <= 1152);
+    workspace_of<surd_room> room;
+    return round_by_sign<T>(to_big(room, p), to_big(room, q), to_big(room, d), root, to_big(room, r), scale, mode);
 }
 
 } // namespace detail
@@ -99,32 +117,8 @@ struct radicand {
     constexpr explicit radicand(const Z& d) noexcept : value(d), root(detail::square_root(detail::leading_of(value))) {}
 };
 
-namespace detail {
-
-// (p + q√d)/r · 2^scale rounded, whatever the leading bits leave open.
-template <class T, class Z>
-[[nodiscard, gnu::noinline]] constexpr T round_by_sign(const Z& p, const Z& q, const radicand<Z>& d, const Z& r,
-                                                       int scale, rounding mode) {
-    const leading first = leading_of(p);
-    const leading second = leading_of(q) * d.root;
-    leading value = first + second;
-    if (!value.is_within(largest_error<T>)) {
-        value = estimate_by_norm(to_sparse(p), to_sparse(q), to_sparse(d.value), first, second);
-    }
-    if (value.significand == 0) {
-        return from_bits<T>(0, false);
-    }
-    value = value / leading_of(r);
-    value.exponent += scale;
-    return round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
-        return against_boundary<Z>(p, q, d.value, r, value.negative, scale, m, exponent);
-    });
-}
-
-} // namespace detail
-
-// (p + q√d)/r · 2^scale rounded to T, float or double. r > 0, -3119 <= scale <= 2098; p, q and r are of any width up to
-// that of Z. An exact zero gives +0.
+// (p + q√d)/r · 2^scale rounded to T: float or double, r > 0, -3119 <= scale <= 2098; p, q and r of any width up to
+// Z's. An exact zero gives +0.
 template <class T, class P, class Q, class Z, class R>
 [[nodiscard]] constexpr T round_to(const P& p, const Q& q, const radicand<Z>& d, const R& r, int scale,
                                    rounding mode = rounding::nearest) {
@@ -132,7 +126,7 @@ template <class T, class P, class Q, class Z, class R>
                                                       detail::leading_of(r), scale, mode)) {
         return *certain;
     }
-    return detail::round_by_sign<T, Z>(p, q, d, r, scale, mode);
+    return detail::round_by_sign<T>(Z(p), Z(q), d.value, d.root, Z(r), scale, mode);
 }
 
 // The same for p and q√d of different signs, if norm = (p² - q²d)/r is known: the value is norm/(p - q√d), in which
@@ -149,7 +143,7 @@ template <class T, class P, class Q, class Z, class R, class C>
     value = value / (detail::leading_of(p) + second);
     value.exponent += scale;
     return detail::round_estimate<T>(value, mode, [&](std::uint64_t m, int exponent) {
-        return detail::against_boundary<Z>(p, q, d.value, r, value.negative, scale, m, exponent);
+        return detail::against_boundary(Z(p), Z(q), d.value, Z(r), value.negative, scale, m, exponent);
     });
 }
 

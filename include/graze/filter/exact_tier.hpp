@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/exact/binary.hpp>
-#include <graze/exact/sparse_integer.hpp>
+#include <graze/exact/integer.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -18,26 +18,33 @@ struct lifted_inputs {
         const int w = length.width > velocity.width ? length.width : velocity.width;
         return w > normal.width ? w : normal.width;
     }
+    // Where the digits of the integers lie that these become.
+    constexpr void use(workspace& w) noexcept { length.room = velocity.room = normal.room = &w; }
 };
 
-// Widths of the lifted inputs: one limb (then a sum of three squares of differences has two limbs), two limbs, and
-// everything that doubles can span, from 2^-1074 to 2^1024.
+// Widths of the lifted inputs: one limb (a sum of three squares of differences then still has two), and all that
+// doubles can span: from 2^-1074 to 2^1024.
 inline constexpr int one_limb_width = 61;
-inline constexpr int two_limb_width = 125;
 inline constexpr int full_width = 2098;
 
-// f(motion), with Pair's motion in the narrowest of three integer types that holds the inputs. f is called once and
-// must return the same type for each. In a constant expression the widest may exceed a compiler's limit of steps.
+template <class Pair>
+inline constexpr bool narrow_pays = requires {
+    Pair::narrow_pays;
+};
+
+// f(motion) with Pair's motion in integers that hold the inputs: of one limb, where such inputs are common and speed
+// matters, else of any size. f returns the same type for both.
 template <class Pair, class Inputs, class F>
 [[nodiscard]] constexpr auto with_exact_motion(const Inputs& in, F f) {
-    const int width = in.width();
-    if (width <= one_limb_width) {
-        return f(Pair::template motion<integer<one_limb_width>>(in));
+    if constexpr (narrow_pays<Pair>) {
+        if (in.width() <= one_limb_width) {
+            return f(Pair::template motion<integer<one_limb_width>>(in));
+        }
     }
-    if (width <= two_limb_width) {
-        return f(Pair::template motion<integer<two_limb_width>>(in));
-    }
-    return f(Pair::template motion<sparse_integer<full_width>>(in));
+    workspace_of<16384> room;
+    Inputs here = in;
+    here.use(room);
+    return f(Pair::template motion<big_integer>(here));
 }
 
 } // namespace graze::inline v0_1::detail

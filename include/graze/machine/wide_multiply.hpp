@@ -57,21 +57,26 @@ __extension__ typedef __int128 int128;
     return sum;
 }
 
-// The signed product x y + addend + carry_in as low + 2^64 high with -2^63 <= low < 2^63: |high| <= 2^62 + 1.
+// x y + addend + carry_in, or with -x y, as low + 2^64 high with -2^63 <= low < 2^63: |high| <= 2^62 + 1.
 struct signed_limbs {
     std::int64_t low, high;
 };
 [[nodiscard]] constexpr signed_limbs multiply_add_balanced(std::int64_t x, std::int64_t y, std::int64_t addend,
-                                                           std::int64_t carry_in) noexcept {
+                                                           std::int64_t carry_in, bool minus = false) noexcept {
 #if defined(__SIZEOF_INT128__)
-    const int128 sum = static_cast<int128>(x) * y + addend + carry_in;
+    const int128 product = static_cast<int128>(x) * y;
+    const int128 sum = (minus ? -product : product) + addend + carry_in;
     const auto low = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum));
-    return {low, static_cast<std::int64_t>((sum - low) >> 64)};
+    return {low, static_cast<std::int64_t>(static_cast<std::uint64_t>(sum >> 64)) + (low < 0 ? 1 : 0)};
 #else
     const auto ux = static_cast<std::uint64_t>(x);
     const auto uy = static_cast<std::uint64_t>(y);
     two_limbs product = multiply_portable(ux, uy);
     product.high -= (x < 0 ? uy : 0U) + (y < 0 ? ux : 0U);
+    if (minus) {
+        product.low = 0 - product.low;
+        product.high = ~product.high + (product.low == 0 ? 1U : 0U);
+    }
     for (const std::int64_t term : {addend, carry_in}) {
         const auto bits = static_cast<std::uint64_t>(term);
         product.low += bits;
@@ -79,6 +84,17 @@ struct signed_limbs {
     }
     const auto low = static_cast<std::int64_t>(product.low);
     return {low, static_cast<std::int64_t>(product.high + (low < 0 ? 1U : 0U))};
+#endif
+}
+
+// x + y + carry in the same form; |carry| <= 2.
+[[nodiscard]] constexpr signed_limbs add_balanced(std::int64_t x, std::int64_t y, std::int64_t carry) noexcept {
+#if defined(__SIZEOF_INT128__)
+    const int128 sum = static_cast<int128>(x) + y + carry;
+    const auto low = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum));
+    return {low, static_cast<std::int64_t>(static_cast<std::uint64_t>(sum >> 64)) + (low < 0 ? 1 : 0)};
+#else
+    return multiply_add_balanced(1, y, x, carry);
 #endif
 }
 

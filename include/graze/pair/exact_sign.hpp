@@ -9,15 +9,25 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether a motion's numbers are so wide that a formula in estimates is cheap beside the formula itself.
-template <class M>
-inline constexpr bool is_wide = false;
-template <int N, int Bits, class U, class S>
-inline constexpr bool is_wide<relative_motion<N, sparse_integer<Bits>, U, S>> = true;
-template <int N, int Bits, class U, class E, class S>
-inline constexpr bool is_wide<plane_motion<N, sparse_integer<Bits>, U, E, S>> = true;
-template <int N, int Bits, class U, class E, class S, class NN, class M>
-inline constexpr bool is_wide<wall_motion<N, sparse_integer<Bits>, U, E, S, NN, M>> = true;
+// Whether a motion's numbers are so long that a formula in estimates is cheap beside the formula itself. What has its
+// width in its type is short.
+template <int N>
+[[nodiscard]] constexpr bool is_long(const vec<N, big_integer>& x) noexcept {
+    constexpr int few = 3;
+    return x[0].count() > few || x[1].count() > few || x[N - 1].count() > few;
+}
+template <int N>
+[[nodiscard]] constexpr bool is_long(const relative_motion<N, big_integer, big_integer, big_integer>& m) noexcept {
+    return is_long(m.dx) || is_long(m.du);
+}
+template <int N, class R>
+[[nodiscard]] constexpr bool is_long(const plane_motion<N, big_integer, big_integer, big_integer, R>& m) noexcept {
+    return is_long(m.w) || is_long(m.u) || is_long(m.n);
+}
+template <int N, class E, class R, class NN, class M>
+[[nodiscard]] constexpr bool is_long(const wall_motion<N, big_integer, big_integer, E, R, NN, M>& m) noexcept {
+    return is_long(m.w) || is_long(m.u) || is_long(m.n);
+}
 
 template <int N, class T>
 [[nodiscard]] constexpr vec<N, estimate> estimated(const vec<N, T>& x) noexcept {
@@ -46,9 +56,11 @@ template <int N, class X, class U, class E, class S, class NN, class M>
 // less.
 template <class M, class F, class G>
 [[nodiscard]] constexpr int exact_sign(const M& m, F f, G instead) {
-    if constexpr (is_wide<M>) {
-        if (const estimate e = instead(estimated(m)); is_certain(e)) {
-            return e.value < 0 ? -1 : 1;
+    if constexpr (requires { is_long(m); }) {
+        if (is_long(m)) {
+            if (const estimate e = instead(estimated(m)); is_certain(e)) {
+                return e.value < 0 ? -1 : 1;
+            }
         }
     }
     return sign(f(m));

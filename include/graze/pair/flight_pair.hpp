@@ -10,6 +10,11 @@
 
 namespace graze::inline v0_1::detail {
 
+// Of a pair of flights: lengths have up to 1024 + 1074 + 2045 bits where two pairs are compared, units of time going
+// down to 2^(-1074 - 971), of one's lengths over the other's velocities or by themselves; lengths over that times
+// 2^-1074, times over it and velocities as they are.
+using timed_workspace = workspace_of<32768>;
+
 // A pair of kind P, lifted, with the `since` of each of its two things, which a plane and a wall have from the flight.
 template <class P>
 struct timed_inputs {
@@ -27,6 +32,10 @@ struct timed_inputs {
     constexpr void settle(int exponent) noexcept {
         settle(since, exponent);
         settle(pair.length, exponent + pair.velocity.exponent);
+    }
+    constexpr void use(workspace& w) noexcept {
+        pair.use(w);
+        since.room = &w;
     }
 
   private:
@@ -73,52 +82,31 @@ struct exact_flights {
     }
 };
 
-// Widths of lengths, velocities and times. Doubles of like exponents: a way then has 122 bits, Δx 124. And all that
-// doubles can span: where two pairs are compared, units of time go down to 2^(-1074 - 971), of one's lengths over the
-// other's velocities or by themselves; lengths over that times 2^-1074, times over it and velocities as they are.
-template <template <int> class Integer, int Length, int Velocity, int Time>
-struct flight_widths {
-    static constexpr int length = Length, velocity = Velocity, time = Time;
-    template <int N>
-    using flights = exact_flights<N, Integer<Length>, Integer<Velocity>, Integer<Time>>;
-};
-using narrow_flights = flight_widths<integer, 122, 61, 60>;
-using wide_flights = flight_widths<sparse_integer, 1024 + 1074 + 2045, full_width, 1024 + 2045>;
-
 template <int N>
-[[nodiscard]] constexpr bool is_narrow(const timed_inputs<two_balls<N>>& in) noexcept {
-    using w = narrow_flights;
-    return in.pair.length.width <= w::length && in.pair.velocity.width <= w::velocity && in.since.width <= w::time;
-}
+using big_flights = exact_flights<N, big_integer, big_integer, big_integer>;
 
-// Two settled flights in integers of the widths W.
-template <class W, int N>
-[[nodiscard]] constexpr auto flights_in(const timed_inputs<two_balls<N>>& in) noexcept {
-    using flights = typename W::template flights<N>;
+// Two settled flights.
+template <int N>
+[[nodiscard]] constexpr big_flights<N> flights_in(const timed_inputs<two_balls<N>>& in) noexcept {
     constexpr std::size_t n = N;
-    const auto vector = [](const auto& group, std::size_t from, auto zero) {
-        return make_vec<N>(
-            [&](int i) { return group.template get<decltype(zero)>(from + static_cast<std::size_t>(i)); });
+    const auto vector = [](const auto& group, std::size_t from) {
+        return make_vec<N>([&](int i) { return group.template get<big_integer>(from + static_cast<std::size_t>(i)); });
     };
     const auto one = [&](std::size_t which) {
-        decltype(flights::a) x;
-        x.state.position = vector(in.pair.length, which * n, decltype(x.state.radius){});
-        x.state.velocity = vector(in.pair.velocity, which * n, typename flights::velocity_type{});
-        x.state.radius = in.pair.length.template get<decltype(x.state.radius)>(2 * n + which);
-        x.since = in.since.template get<decltype(x.since)>(which);
-        return x;
+        return exact_flight<N, big_integer, big_integer, big_integer>{
+            {vector(in.pair.length, which * n), vector(in.pair.velocity, which * n),
+             in.pair.length.template get<big_integer>(2 * n + which)},
+            in.since.template get<big_integer>(which)};
     };
-    return flights{one(0), one(1)};
+    return {one(0), one(1)};
 }
 
-// f(flights) with two settled flights in the narrower of two kinds of integers that holds them. f returns the same type
-// for both.
+// f(flights) with two settled flights.
 template <int N, class F>
-[[nodiscard]] constexpr auto with_exact_flights(const timed_inputs<two_balls<N>>& in, F f) {
-    if (is_narrow(in)) {
-        return f(flights_in<narrow_flights>(in));
-    }
-    return f(flights_in<wide_flights>(in));
+[[nodiscard]] constexpr auto with_exact_flights(timed_inputs<two_balls<N>> in, F f) {
+    timed_workspace room;
+    in.use(room);
+    return f(flights_in(in));
 }
 
 } // namespace graze::inline v0_1::detail

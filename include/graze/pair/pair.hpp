@@ -31,6 +31,7 @@ struct two_balls {
     static constexpr std::size_t lengths = 2 * n + 2;
     static constexpr std::size_t velocities = 2 * n;
     static constexpr std::size_t normals = 0;
+    static constexpr bool narrow_pays = true;
 
     template <class T>
     static constexpr void pack(T* row, const ball<N, T>& a, const ball<N, T>& b) noexcept {

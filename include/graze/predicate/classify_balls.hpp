@@ -33,18 +33,19 @@ template <class A, class H, class C>
 struct exact_encounter {
     template <class M>
     [[nodiscard]] constexpr encounter operator()(const M& m) const {
-        if constexpr (is_wide<M>) {
-            return encounter_of([&] { return exact_sign(m, coefficient_h{}); },
-                                [&] { return exact_sign(m, coefficient_c{}); },
-                                [&] { return exact_sign(m, halved_of_motion{}, discriminant_lagrange{}); });
-        } else {
-            const auto h = coefficient_h{}(m);
-            const auto c = coefficient_c{}(m);
-            return encounter_of([&] { return sign(h); }, [&] { return sign(c); },
-                                [&] {
-                                    return sign_of_discriminant(quadratic{coefficient_a{}(m), h, c});
-                                });
+        if constexpr (requires { is_long(m); }) {
+            if (is_long(m)) {
+                return encounter_of([&] { return exact_sign(m, coefficient_h{}); },
+                                    [&] { return exact_sign(m, coefficient_c{}); },
+                                    [&] { return exact_sign(m, halved_of_motion{}, discriminant_lagrange{}); });
+            }
         }
+        const auto h = coefficient_h{}(m);
+        const auto c = coefficient_c{}(m);
+        return encounter_of([&] { return sign(h); }, [&] { return sign(c); },
+                            [&] {
+                                return sign_of_discriminant(quadratic{coefficient_a{}(m), h, c});
+                            });
     }
 };
 

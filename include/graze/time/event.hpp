@@ -64,17 +64,14 @@ template <int N, class P, class M, class F>
     }
 }
 
-// The widest coefficient of any kind: a face's squared height over the full range of doubles.
-inline constexpr int coefficient_width = 6 * full_width + 64;
-using wide_coefficient = sparse_integer<coefficient_width>;
-using wide_quadratic = quadratic<wide_coefficient, wide_coefficient, wide_coefficient>;
+using big_quadratic = quadratic<big_integer, big_integer, big_integer>;
 
 // The quadratic of an event whose inputs have been lifted, in the one type that holds all of them.
 template <int N, class T, class P, class Inputs>
-[[nodiscard]] constexpr wide_quadratic wide_quadratic_of(const event<N, T>& e, P, const Inputs& in) {
-    const auto motion = P::template motion<sparse_integer<full_width>>(in);
+[[nodiscard]] constexpr big_quadratic big_quadratic_of(const event<N, T>& e, P, const Inputs& in) {
+    const auto motion = P::template motion<big_integer>(in);
     return with_quadratic<N, P>(e.kind, e.index, motion, [&](const auto& q) {
-        return wide_quadratic{q.a, q.h, e.overlap ? wide_coefficient() : wide_coefficient(q.c)};
+        return big_quadratic{q.a, q.h, e.overlap ? big_integer() : q.c};
     });
 }
 
@@ -99,11 +96,11 @@ template <int N, class T>
                 if (width <= one_limb_width) {
                     return in.template operator()<integer<one_limb_width>>();
                 }
-                if (width <= two_limb_width) {
-                    return in.template operator()<integer<two_limb_width>>();
-                }
             }
-            return root_order{}(wide_quadratic_of(x, p, inputs_x), wide_quadratic_of(y, r, inputs_y));
+            workspace_of<16384> room;
+            inputs_x.use(room);
+            inputs_y.use(room);
+            return root_order{}(big_quadratic_of(x, p, inputs_x), big_quadratic_of(y, r, inputs_y));
         });
     });
 }
@@ -112,12 +109,13 @@ template <int N, class T>
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const binary& m) {
     return with_pair<N>(x.kind, [&]<class P>(P p) {
-        const auto inputs = lift_row<P>(x.row);
+        auto inputs = lift_row<P>(x.row);
         const int power = m.exponent - (inputs.length.exponent - inputs.velocity.exponent);
-        constexpr int widest = 64 + 2 * (1100 + full_width);
-        const auto numerator = sparse_integer<widest>::from_shifted(m.significand, power > 0 ? power : 0);
-        const auto denominator = sparse_integer<widest>::from_shifted(1, power < 0 ? -power : 0);
-        const wide_quadratic q = wide_quadratic_of(x, p, inputs);
+        workspace_of<16384> room;
+        inputs.use(room);
+        const auto numerator = big_integer::from_shifted(room, m.significand, power > 0 ? power : 0);
+        const auto denominator = big_integer::from_shifted(room, 1, power < 0 ? -power : 0);
+        const big_quadratic q = big_quadratic_of(x, p, inputs);
         return root_against(sign(value_at{}(q, numerator, denominator)), sign(slope_at{}(q, numerator, denominator)));
     });
 }

@@ -23,6 +23,8 @@ template <int N, class T>
         const enclosure bounds = with_timed_inputs(e, [&]<class In, class P>(In in, P) {
             const int unit = in.unit();
             in.settle(unit);
+            timed_workspace room;
+            in.use(room);
             return with_timed_motion<N, P>(in, [&](const auto& m, const auto&) {
                 return with_quadratic<N, P>(e.pair.kind, e.pair.index, m,
                                             [&](const auto& q) { return enclose(q, unit); });

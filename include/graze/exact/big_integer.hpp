@@ -1,0 +1,285 @@
+// Integers of any size: one type for all formulas whose inputs have more than a limb.
+//
+// A type a width, as integer<Bits> has it, is fast and makes overflow impossible, and every formula is compiled once
+// for every width that leads to one. Where that costs more than it brings, the width is known when running.
+#pragma once
+
+#include <graze/exact/integer.hpp>
+#include <graze/exact/workspace.hpp>
+#include <graze/machine/wide_multiply.hpp>
+#include <graze/number/traits.hpp>
+
+#include <cstdint>
+
+namespace graze::inline v0_1 {
+
+template <int N, class T>
+struct vec;
+
+namespace detail {
+
+// ± Σ digit_i 2^(64 (low + i)), the digits in [-2^63, 2^63), the first and the last not 0: the sign is that of the last
+// one, since all below amount to less than its unit. What lies between numbers of far exponents is zeros, whose rows in
+// a product cost nothing. A value: its digits, which lie in a workspace or are constants, never change.
+class big_integer {
+  public:
+    constexpr big_integer() noexcept = default;
+    // -2 to 2.
+    constexpr big_integer(int value) noexcept
+        : digit_(small + (value < 0 ? -value : value)), count_(value != 0 ? 1 : 0), negative_(value < 0) {}
+
+    // significand · 2^shift, 0 <= shift.
+    [[nodiscard, gnu::noinline]] static constexpr big_integer from_shifted(workspace& w, std::int64_t significand,
+                                                                           int shift) noexcept {
+        if (significand == 0) {
+            return {};
+        }
+        const int bit = shift % 64; // 2^63 is not a digit, so that the power is taken in two factors
+        const auto half = multiply_add_balanced(significand, std::int64_t{1} << bit / 2, 0, 0);
+        const auto low = multiply_add_balanced(half.low, std::int64_t{1} << (bit - bit / 2), 0, 0);
+        std::int64_t* const digit = w.take(2);
+        digit[0] = low.low;
+        digit[1] = half.high * (std::int64_t{1} << (bit - bit / 2)) + low.high;
+        return big_integer(&w, digit, 2, shift / 64, false);
+    }
+
+    // From the two's complement in limbs, the lowest first: digits that are negative borrow from the next limb.
+    [[nodiscard, gnu::noinline]] static constexpr big_integer from_limbs(workspace& w, const std::uint64_t* limb,
+                                                                         int count) noexcept {
+        std::int64_t* const digit = w.take(count + 1);
+        const std::uint64_t extension = limb[count - 1] >> 63 != 0 ? ~std::uint64_t{0} : 0;
+        std::uint64_t borrowed = 0;
+        for (int i = 0; i <= count; ++i) {
+            const std::uint64_t next = (i < count ? limb[i] : extension) + borrowed;
+            borrowed = next < borrowed || next >> 63 != 0 ? 1 : 0;
+            digit[i] = static_cast<std::int64_t>(next);
+        }
+        return big_integer(&w, digit, count + 1, 0, false);
+    }
+
+    [[nodiscard]] constexpr int sign() const noexcept {
+        return count_ == 0 ? 0 : (digit_[count_ - 1] < 0) != negative_ ? -1 : 1;
+    }
+    [[nodiscard]] constexpr int count() const noexcept { return count_; }
+    [[nodiscard]] constexpr int low() const noexcept { return low_; }
+    // Of |x| or -|x|: of a number that is_negated, the digits of its negative.
+    [[nodiscard]] constexpr std::int64_t digit(int i) const noexcept { return digit_[i]; }
+    [[nodiscard]] constexpr bool is_negated() const noexcept { return negative_; }
+    [[nodiscard]] constexpr workspace* room() const noexcept { return room_; }
+
+    [[nodiscard]] constexpr big_integer operator-() const noexcept {
+        big_integer r = *this;
+        r.negative_ = !negative_;
+        return r;
+    }
+
+    [[nodiscard]] friend constexpr big_integer operator+(const big_integer& x, const big_integer& y) noexcept {
+        return sum(x, y, false);
+    }
+    [[nodiscard]] friend constexpr big_integer operator-(const big_integer& x, const big_integer& y) noexcept {
+        return sum(x, y, true);
+    }
+    [[nodiscard]] friend constexpr big_integer operator*(const big_integer& x, const big_integer& y) noexcept {
+        return product(x, y);
+    }
+
+    // x + y, or x - y.
+    [[nodiscard, gnu::noinline]] static constexpr big_integer sum(const big_integer& x, const big_integer& y,
+                                                                  bool subtract) noexcept {
+        if (x.count_ == 0 || y.count_ == 0) {
+            return y.count_ == 0 ? x : subtract ? -y : y;
+        }
+        const std::int64_t opposite = (x.negative_ != y.negative_) != subtract ? 1 : 0;
+        const bool first = x.low_ <= y.low_; // the sum is ±(lower ± upper)
+        const big_integer& lower = first ? x : y;
+        const big_integer& upper = first ? y : x;
+        const bool negative = first ? x.negative_ : y.negative_ != subtract;
+        const int shift = upper.low_ - lower.low_;
+        const int end = upper.count_ + shift;
+        const int count = lower.count_ > end ? lower.count_ : end;
+        workspace& w = *(x.room_ != nullptr ? x.room_ : y.room_);
+        std::int64_t* const digit = w.take(count + 1);
+        int i = 0;
+        for (; i < shift; ++i) {
+            digit[i] = i < lower.count_ ? lower.digit_[i] : 0;
+        }
+        const int common = lower.count_ < end ? lower.count_ : end;
+        std::int64_t carry = 0;
+        const auto put = [&](std::int64_t a, std::int64_t b) { // -b is ~b + 1
+            const auto t = add_balanced(a, b ^ -opposite, carry + opposite);
+            digit[i] = t.low;
+            carry = t.high;
+        };
+        for (; i < common; ++i) {
+            put(lower.digit_[i], upper.digit_[i - shift]);
+        }
+        for (; i < end; ++i) {
+            put(0, upper.digit_[i - shift]);
+        }
+        for (; i < count; ++i) {
+            put(lower.digit_[i], 0);
+        }
+        digit[count] = carry;
+        return big_integer(&w, digit, count + 1, lower.low_, negative);
+    }
+
+    [[nodiscard, gnu::noinline]] static constexpr big_integer product(const big_integer& x,
+                                                                      const big_integer& y) noexcept {
+        if (x.count_ == 0 || y.count_ == 0) {
+            return {};
+        }
+        workspace& w = *(x.room_ != nullptr ? x.room_ : y.room_);
+        const int count = x.count_ + y.count_;
+        std::int64_t* const digit = w.take(count);
+        write_product(digit, x, y);
+        return big_integer(&w, digit, count, x.low_ + y.low_, x.negative_ != y.negative_);
+    }
+
+    struct term {
+        const big_integer* x;
+        const big_integer* y;
+        bool subtracted = false;
+    };
+
+    // Σ ± x y, the terms added up where they stand.
+    [[nodiscard, gnu::noinline]] static constexpr big_integer sum_of_products(const term* terms, int count) noexcept {
+        int low = 0x7fff;
+        int end = 0;
+        workspace* room = nullptr;
+        for (int k = 0; k < count; ++k) {
+            const big_integer& x = *terms[k].x;
+            const big_integer& y = *terms[k].y;
+            if (x.count_ != 0 && y.count_ != 0) {
+                const int start = x.low_ + y.low_;
+                const int top = start + x.count_ + y.count_;
+                low = start < low ? start : low;
+                end = top > end ? top : end;
+                room = x.room_ != nullptr ? x.room_ : y.room_;
+            }
+        }
+        if (end == 0) {
+            return {};
+        }
+        const int size = end - low + 1;
+        std::int64_t* const sum = room->take(size);
+        for (int i = 0; i < size; ++i) {
+            sum[i] = 0;
+        }
+        for (int k = 0; k < count; ++k) {
+            const bool wide_x = terms[k].x->count_ > terms[k].y->count_;
+            const big_integer& x = wide_x ? *terms[k].y : *terms[k].x;
+            const big_integer& y = wide_x ? *terms[k].x : *terms[k].y;
+            const bool minus = (x.negative_ != y.negative_) != terms[k].subtracted;
+            std::int64_t* row = sum + (x.low_ + y.low_ - low);
+            for (int i = 0; i < x.count_; ++i, ++row) {
+                if (const std::int64_t factor = x.digit_[i]; factor != 0) {
+                    std::int64_t carry = add_row(row, factor, y, minus);
+                    for (std::int64_t* above = row + y.count_; carry != 0; ++above) {
+                        const auto t = add_balanced(*above, 0, carry);
+                        *above = t.low;
+                        carry = t.high;
+                    }
+                }
+            }
+        }
+        return big_integer(room, sum, size, low, false);
+    }
+
+  private:
+    // Of digits that have been taken: without zeros at either end, and keeps the rest.
+    constexpr big_integer(workspace* w, std::int64_t* digit, int count, int low, bool negative) noexcept {
+        while (count > 0 && digit[count - 1] == 0) {
+            --count;
+        }
+        if (count == 0) {
+            return;
+        }
+        room_ = w;
+        w->keep_until(digit + count);
+        while (*digit == 0) {
+            ++digit;
+            ++low;
+            --count;
+        }
+        digit_ = digit;
+        count_ = static_cast<std::int16_t>(count);
+        low_ = static_cast<std::int16_t>(low);
+        negative_ = negative;
+    }
+
+    // Writes the digits of x y, as many as the factors have together.
+    static constexpr void write_product(std::int64_t* digit, const big_integer& a, const big_integer& b) noexcept {
+        const big_integer& x = a.count_ < b.count_ ? a : b; // fewer and longer rows
+        const big_integer& y = a.count_ < b.count_ ? b : a;
+        std::int64_t carry = 0;
+        for (int j = 0; j < y.count_; ++j) {
+            const auto t = multiply_add_balanced(x.digit_[0], y.digit_[j], 0, carry);
+            digit[j] = t.low;
+            carry = t.high;
+        }
+        digit[y.count_] = carry;
+        for (int i = 1; i < x.count_; ++i) {
+            digit[i + y.count_] = x.digit_[i] != 0 ? add_row(digit + i, x.digit_[i], y, false) : 0;
+        }
+    }
+
+    // Adds ±factor · y to the digits that stand there and returns what is left for the next one.
+    [[nodiscard]] static constexpr std::int64_t add_row(std::int64_t* row, std::int64_t factor, const big_integer& y,
+                                                        bool minus) noexcept {
+        std::int64_t carry = 0;
+        for (int j = 0; j < y.count_; ++j) {
+            const auto t = multiply_add_balanced(factor, y.digit_[j], row[j], carry, minus);
+            row[j] = t.low;
+            carry = t.high;
+        }
+        return carry;
+    }
+
+    static constexpr std::int64_t small[3] = {0, 1, 2};
+
+    workspace* room_ = nullptr;
+    const std::int64_t* digit_ = nullptr;
+    std::int16_t count_ = 0;
+    std::int16_t low_ = 0;
+    bool negative_ = false;
+};
+
+// x in a workspace.
+template <int Bits>
+[[nodiscard, gnu::noinline]] constexpr big_integer to_big(workspace& w, const integer<Bits>& x) noexcept {
+    std::uint64_t limb[integer<Bits>::limbs];
+    for (int i = 0; i < integer<Bits>::limbs; ++i) {
+        limb[i] = x.limb(i);
+    }
+    return big_integer::from_limbs(w, limb, integer<Bits>::limbs);
+}
+
+} // namespace detail
+
+template <>
+struct number_traits<detail::big_integer> {
+    static constexpr const char* name = "big_integer";
+    static constexpr bool is_exact = true;
+    static constexpr int digits = 0;
+    static constexpr int sign(const detail::big_integer& x) noexcept { return x.sign(); }
+
+    template <int N>
+    static constexpr auto dot(const vec<N, detail::big_integer>& x, const vec<N, detail::big_integer>& y) noexcept {
+        detail::big_integer::term terms[3] = {{&x[0], &y[0]}, {&x[1], &y[1]}, {&x[N - 1], &y[N - 1]}};
+        return detail::big_integer::sum_of_products(terms, N);
+    }
+    template <class Vec>
+    static constexpr auto cross(const Vec& x, const Vec& y) noexcept {
+        const auto determinant = [&](int i, int j) {
+            const detail::big_integer::term terms[2] = {{&x[i], &y[j]}, {&x[j], &y[i], true}};
+            return detail::big_integer::sum_of_products(terms, 2);
+        };
+        if constexpr (requires(vec<3, detail::big_integer> v) { v = x; }) {
+            return Vec{{determinant(1, 2), determinant(2, 0), determinant(0, 1)}};
+        } else {
+            return determinant(0, 1);
+        }
+    }
+};
+
+} // namespace graze::inline v0_1
