@@ -48,7 +48,7 @@ void select_earliest(const moving_scene<M>& scene, std::vector<due<typename M::t
             const foreseen& first = earliest.front().what;
             try {
                 order = scene.rules().order(d.when, earliest.front().when);
-            } catch (undecided& e) {
+            } catch (graze::undecided& e) {
                 e.between(scene.named(d.what.a, d.what.b), scene.named(first.a, first.b));
                 throw;
             }

@@ -94,7 +94,7 @@ class moving_scene {
                 return mechanics_.meet(movers_[a].state, movers_[b].state);
             }
             return with_standing(b, [&](const auto& s) { return meet_standing(a, b, s); });
-        } catch (undecided& e) {
+        } catch (graze::undecided& e) {
             e.between(named(a, b));
             throw;
         } catch (const std::domain_error& e) { // parallel edges, or what restate was given
@@ -106,7 +106,7 @@ class moving_scene {
     void bounce(body a, body b, const time& when) {
         try {
             change(a, b, when);
-        } catch (undecided& e) {
+        } catch (graze::undecided& e) {
             e.between(named(a, b));
             throw;
         } catch (const std::overflow_error& e) {

@@ -125,7 +125,7 @@ class run {
     [[nodiscard]] bool is_after(const detail::due<time>& d, const number& end) const {
         try {
             return scene().rules().order(d.when, end) > 0;
-        } catch (undecided& e) {
+        } catch (graze::undecided& e) {
             e.between(scene().named(d.what.a, d.what.b));
             throw;
         }
