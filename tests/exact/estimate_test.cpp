@@ -28,11 +28,11 @@ void check(const estimate& x, const mpz_class& truth) {
     }
 }
 
-graze::sparse_integer<2098> any_sparse(mpz_class& truth) {
+graze::detail::big_integer any_big(graze::detail::workspace& room, mpz_class& truth) {
     const auto significand = static_cast<std::int64_t>(wide::any_word()) >> *rc::gen::inRange(1, 63);
     const int shift = *rc::gen::inRange(0, 2030);
     truth = wide::from_signed(significand) * wide::power(shift);
-    return graze::sparse_integer<2098>::from_shifted(significand, shift);
+    return graze::detail::big_integer::from_shifted(room, significand, shift);
 }
 
 // A random formula of 20 sums, differences and products, degrees up to 10.
@@ -44,10 +44,11 @@ void check_formula() {
     };
     static constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     const int mode = modes[*rc::gen::inRange(0, 4)];
+    graze::detail::workspace_of<20> room;
     std::vector<term> terms;
     for (int i = 0; i < 4; ++i) {
         mpz_class truth;
-        const auto x = any_sparse(truth);
+        const auto x = any_big(room, truth);
         terms.push_back({graze::detail::estimate_of(x), truth, 1});
     }
     for (int i = 0; i < 20; ++i) {

@@ -13,6 +13,7 @@
 namespace {
 
 using graze::rounding;
+using graze::detail::big_integer;
 using graze::detail::leading;
 using graze::detail::leading_of;
 
@@ -27,11 +28,12 @@ void make(const mpz_class& value, graze::integer<Bits>& x) {
         x.set_limb(i, wide::low_word(mpz_class(value >> static_cast<unsigned long>(64 * i))));
     }
 }
-template <int Bits>
-void make(mpz_class value, graze::sparse_integer<Bits>& x) {
+graze::detail::workspace_of<100000> room; // what a check takes it gives back
+void make(mpz_class value, big_integer& x) {
+    x = big_integer();
     for (int i = 0; value != 0; ++i) {
         const auto digit = static_cast<std::int64_t>(wide::low_word(value));
-        x.append(i, digit);
+        x = x + big_integer::from_shifted(room, digit, 64 * i);
         value = (value - wide::from_signed(digit)) >> 64;
     }
 }
@@ -84,6 +86,7 @@ oracle::surd scaled(const mpz_class& p, const mpz_class& q, const mpz_class& d, 
 
 template <class T, class Z>
 bool rounds(const mpz_class& p, const mpz_class& q, const mpz_class& d, const mpz_class& r, int scale) {
+    const graze::detail::workspace::scope scope(&room);
     const graze::radicand<Z> root(make<Z>(d));
     bool right = true;
     for (const rounding mode : modes) {
@@ -96,7 +99,7 @@ template <class T>
 void round(const mpz_class& p, const mpz_class& q, const mpz_class& d, const mpz_class& r, int scale) {
     RC_ASSERT((rounds<T, graze::integer<576>>(p, q, d, r, scale)));
     RC_ASSERT((rounds<T, graze::integer<1152>>(p, q, d, r, scale)));
-    RC_ASSERT((rounds<T, graze::sparse_integer<19456>>(p, q, d, r, scale)));
+    RC_ASSERT((rounds<T, big_integer>(p, q, d, r, scale)));
 }
 void round_both(const mpz_class& p, const mpz_class& q, const mpz_class& d, const mpz_class& r, int scale) {
     round<double>(p, q, d, r, scale);
@@ -135,16 +138,18 @@ TEST_CASE("quotients and roots of two words") {
 TEST_CASE("leading bits are as good as they say") {
     CHECK(rc::check("of integers", [] {
         RC_ASSERT(holds(draw<graze::integer<576>>(576)));
-        RC_ASSERT(holds(draw<graze::sparse_integer<2000>>(2000)));
+        const graze::detail::workspace::scope scope(&room);
+        RC_ASSERT(holds(draw<big_integer>(2000)));
     }));
-    CHECK(rc::check("of sparse integers with digits at their ends", [] {
-        graze::sparse_integer<640> x;
+    CHECK(rc::check("of big integers with digits at their ends", [] {
+        const graze::detail::workspace::scope scope(&room);
+        big_integer x;
         mpz_class truth;
         for (int position = 0; position < 9; ++position) {
             const std::int64_t digit =
                 *rc::gen::element(std::int64_t{0}, std::int64_t{1}, std::int64_t{-1},
                                   std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
-            x.append(position, digit);
+            x = x + big_integer::from_shifted(room, digit, 64 * position);
             truth += wide::from_signed(digit) << static_cast<unsigned long>(64 * position);
         }
         RC_ASSERT(holds({leading_of(x), truth}));

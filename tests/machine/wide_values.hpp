@@ -64,7 +64,12 @@ inline mpz_class any(int bits) {
 template <class X>
 mpz_class value(const X& x) {
     mpz_class sum = 0;
-    if constexpr (requires { x.count(); }) {
+    if constexpr (requires { x.is_negated(); }) {
+        for (int i = 0; i < x.count(); ++i) {
+            sum += from_signed(x.digit(i)) * power(64 * (x.low() + i));
+        }
+        sum = x.is_negated() ? mpz_class(-sum) : sum;
+    } else if constexpr (requires { x.count(); }) {
         for (int i = 0; i < x.count(); ++i) {
             sum += from_signed(x.digit(i)) * power(64 * x.position(i));
         }

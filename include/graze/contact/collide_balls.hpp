@@ -13,42 +13,6 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// Two balls' row with their masses, which have a scale of their own.
-template <int N>
-struct two_massive_balls {
-    struct inputs {
-        decltype(lift_row<two_balls<N>>(std::array<double, two_balls<N>::lengths + two_balls<N>::velocities>{})) pair;
-        lifted<2> mass;
-
-        // A constructor, since an aggregate would be zeroed first.
-        template <class Row, class T>
-        constexpr inputs(const Row& row, const T (&masses)[2]) noexcept : pair(lift_row<two_balls<N>>(row)) {
-            lift(mass, masses);
-        }
-
-        [[nodiscard]] constexpr int width() const noexcept { return std::max(pair.width(), mass.width); }
-        constexpr void use(workspace& w) noexcept {
-            pair.use(w);
-            mass.room = &w;
-        }
-    };
-
-    template <class I>
-    [[nodiscard]] static constexpr auto motion(const inputs& in) noexcept {
-        const auto vector = [](const auto& group, std::size_t from) {
-            return make_vec<N>([&](int i) { return group.template get<I>(from + static_cast<std::size_t>(i)); });
-        };
-        const auto relative = two_balls<N>::template motion<I>(in.pair);
-        return exact_balls<N, std::remove_cvref_t<decltype(relative)>, I, I, I>{relative,
-                                                                                vector(in.pair.length, 0),
-                                                                                vector(in.pair.length, N),
-                                                                                vector(in.pair.velocity, 0),
-                                                                                vector(in.pair.velocity, N),
-                                                                                in.mass.template get<I>(0),
-                                                                                in.mass.template get<I>(1)};
-    }
-};
-
 // By the bits: whether x is positive and finite.
 [[nodiscard]] constexpr bool is_plain_mass(const double& x) noexcept {
     return bits_of(x) - 1 < 0x7ff0000000000000U - 1;
@@ -90,10 +54,26 @@ template <class U, class T>
 template <int N, class T>
 [[gnu::noinline]] constexpr void complete(contact<N, T>& c, parts wanted, encounter what, const ball<N, T>& a,
                                           const ball<N, T>& b) {
+    exact_workspace room;
+    auto in = lift_row<two_balls<N>>(packed<two_balls<N>>(a, b));
+    in.use(room);
+    lifted<2> mass;
     const T masses[2] = {effective_mass<T>(a.mass, b.mass), effective_mass<T>(b.mass, a.mass)};
-    const typename two_massive_balls<N>::inputs in(packed<two_balls<N>>(a, b), masses);
-    const scales s{in.pair.length.exponent, in.pair.velocity.exponent};
-    with_exact_motion<two_massive_balls<N>>(in, [&](const auto& e) { round_balls(c, wanted, what, e, s); });
+    lift(mass, masses);
+    mass.room = &room;
+    const auto vector = [](const auto& group, std::size_t from) {
+        return make_vec<N>([&](int i) { return group.template get<big_integer>(from + static_cast<std::size_t>(i)); });
+    };
+    const auto motion = two_balls<N>::template motion<big_integer>(in);
+    const exact_balls<N, std::remove_cvref_t<decltype(motion)>, big_integer, big_integer, big_integer> e{
+        motion,
+        vector(in.length, 0),
+        vector(in.length, N),
+        vector(in.velocity, 0),
+        vector(in.velocity, N),
+        mass.template get<big_integer>(0),
+        mass.template get<big_integer>(1)};
+    round_balls(c, wanted, what, e, {in.length.exponent, in.velocity.exponent, &room});
 }
 
 // The contact of two balls of which it has been decided what becomes of them; f: what the filter knows of them, which

@@ -21,18 +21,17 @@ template <int N, class T>
     const T masses[2] = {effective_mass<T>(a.state.mass, b.state.mass), effective_mass<T>(b.state.mass, a.state.mass)};
     lift(mass, masses);
     mass.room = &room;
-    const scales units{in.pair.length.exponent, in.pair.velocity.exponent};
+    const scales units{in.pair.length.exponent, in.pair.velocity.exponent, &room};
     const auto pair = flights_in(in);
     const auto motion = pair.motion();
     const auto position_a = pair.position(pair.a);
     const auto position_b = pair.position(pair.b);
     if (what == encounter::overlap) {
         const auto rounded = [&](const big_integer& x) {
-            const workspace::scope scope(&room);
             return round_to<T>(x, big_integer(0), radicand<big_integer>(), big_integer(1), units.length);
         };
-        fill(c.position_a, wanted, part::position_a, [&](int i) { return rounded(position_a[i]); });
-        fill(c.position_b, wanted, part::position_b, [&](int i) { return rounded(position_b[i]); });
+        fill(c.position_a, wanted, part::position_a, &room, [&](int i) { return rounded(position_a[i]); });
+        fill(c.position_b, wanted, part::position_b, &room, [&](int i) { return rounded(position_b[i]); });
     }
     const exact_balls<N, std::remove_cvref_t<decltype(motion)>, big_integer, big_integer, big_integer> e{
         motion,

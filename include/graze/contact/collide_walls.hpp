@@ -12,43 +12,32 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// A pair kind's motion in integers, and where the ball is.
-template <class P>
-struct placed {
-    template <class I, class Inputs>
-    [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
-        struct {
-            decltype(P::template motion<I>(in)) relative;
-            vec<static_cast<int>(P::n), I> position;
-        } r{P::template motion<I>(in), make_vec<static_cast<int>(P::n)>(
-                                           [&](int i) { return in.length.template get<I>(static_cast<unsigned>(i)); })};
-        return r;
-    }
-};
-
 // Rounds the wanted components of a ball's contact with a plane or a wall that it meets, by integers.
 template <class P, int N, class T, class Shape>
 [[gnu::noinline]] constexpr void complete(P, wall_contact<N, T>& c, parts wanted, encounter what, int index,
                                           const ball<N, T>& b, const Shape& shape) {
-    const auto in = lift_row<P>(packed<P>(b, shape));
-    const scales units{in.length.exponent, in.velocity.exponent};
-    with_exact_motion<placed<P>>(in, [&](const auto& pair) {
-        if constexpr (requires { shape.edge; }) {
-            if (c.feature == feature::face) {
-                round_face(c, wanted, what, face_of(pair.relative), pair.position, units);
+    exact_workspace room;
+    auto in = lift_row<P>(packed<P>(b, shape));
+    in.use(room);
+    const scales units{in.length.exponent, in.velocity.exponent, &room};
+    const auto motion = P::template motion<big_integer>(in);
+    const auto position =
+        make_vec<N>([&](int i) { return in.length.template get<big_integer>(static_cast<unsigned>(i)); });
+    if constexpr (requires { shape.edge; }) {
+        if (c.feature == feature::face) {
+            round_face(c, wanted, what, face_of(motion), position, units);
+            return;
+        }
+        if constexpr (N == 3) {
+            if (c.feature == feature::edge) {
+                round_edge(c, wanted, what, seen_from(motion, edge_view(index)), position, units);
                 return;
             }
-            if constexpr (N == 3) {
-                if (c.feature == feature::edge) {
-                    round_edge(c, wanted, what, seen_from(pair.relative, edge_view(index)), pair.position, units);
-                    return;
-                }
-            }
-            round_corner(c, wanted, what, seen_from(pair.relative, wall_view{index, false}), pair.position, units);
-        } else {
-            round_face(c, wanted, what, pair.relative, pair.position, units);
         }
-    });
+        round_corner(c, wanted, what, seen_from(motion, wall_view{index, false}), position, units);
+    } else {
+        round_face(c, wanted, what, motion, position, units);
+    }
 }
 
 // Times as they come, from the instant of the positions.

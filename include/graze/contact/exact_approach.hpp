@@ -13,9 +13,10 @@
 
 namespace graze::inline v0_1::detail {
 
-// The exponents of the scales of lengths and velocities.
+// The exponents of the scales of lengths and velocities, and where the integers on them have their digits.
 struct scales {
     int length, velocity;
+    workspace* room;
     [[nodiscard]] constexpr int time() const noexcept { return length - velocity; }
 };
 

@@ -27,17 +27,17 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     const auto velocities = [&](const auto& exact) {
         const auto divisor = exact.velocity_divisor(sum);
         if (graze::sign(e.mass_b) != 0) {
-            fill(c.velocity_a, wanted, part::velocity_a,
+            fill(c.velocity_a, wanted, part::velocity_a, units.room,
                  [&](int i) { return exact.velocity(e.velocity_a[i], i, twice_b, divisor); });
         }
         if (graze::sign(e.mass_a) != 0) {
-            fill(c.velocity_b, wanted, part::velocity_b,
+            fill(c.velocity_b, wanted, part::velocity_b, units.room,
                  [&](int i) { return exact.velocity(e.velocity_b[i], i, -twice_a, divisor); });
         }
     };
     if (what == encounter::overlap) {
         const exact_overlap<T, M> exact(e.relative, units);
-        fill(c.normal, wanted, part::normal, [&](int i) { return exact.normal(i); });
+        fill(c.normal, wanted, part::normal, units.room, [&](int i) { return exact.normal(i); });
         velocities(exact);
         return;
     }
@@ -45,12 +45,12 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     if (has_time(wanted)) {
         c.time = exact.time(counted);
     }
-    fill(c.position_a, wanted, part::position_a,
+    fill(c.position_a, wanted, part::position_a, units.room,
          [&](int i) { return exact.path.position(e.position_a[i], e.velocity_a[i]); });
-    fill(c.position_b, wanted, part::position_b,
+    fill(c.position_b, wanted, part::position_b, units.room,
          [&](int i) { return exact.path.position(e.position_b[i], e.velocity_b[i]); });
     if (graze::sign(e.relative.R) != 0) { // otherwise two points, which graze
-        fill(c.normal, wanted, part::normal, [&](int i) { return exact.normal(i); });
+        fill(c.normal, wanted, part::normal, units.room, [&](int i) { return exact.normal(i); });
     }
     if (what == encounter::hit) {
         velocities(exact);

@@ -1,6 +1,7 @@
 // The components of a contact by number, so that each way of rounding can do those that another has left.
 #pragma once
 
+#include <graze/exact/workspace.hpp>
 #include <graze/linear/vec.hpp>
 
 namespace graze::inline v0_1::detail {
@@ -14,12 +15,14 @@ enum class wall_part { position = 1, point = 4, normal = 7, velocity = 10 };
 
 [[nodiscard]] constexpr bool has_time(parts wanted) noexcept { return (wanted & 1U) != 0; }
 
-// x[i] = f(i) for the components of x that are wanted; its first one has the number `first`.
+// x[i] = f(i) for the components of x that are wanted; its first one has the number `first`. What f takes of the
+// workspace is given back.
 template <int N, class T, class Part, class F>
-constexpr void fill(vec<N, T>& x, parts wanted, Part first, F f) {
+constexpr void fill(vec<N, T>& x, parts wanted, Part first, workspace* room, F f) {
     const parts mine = wanted >> static_cast<unsigned>(first);
     for (int i = 0; i < N; ++i) {
         if ((mine >> i & 1U) != 0) {
+            const workspace::scope scope(room);
             x[i] = f(i);
         }
     }

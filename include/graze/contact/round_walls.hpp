@@ -30,11 +30,11 @@ constexpr void round_face(wall_contact<N, T>& c, parts wanted, encounter what, c
         if (has_time(wanted)) {
             c.time = exact.time();
         }
-        fill(c.position, wanted, wall_part::position, [&](int i) { return exact.position(i); });
+        fill(c.position, wanted, wall_part::position, units.room, [&](int i) { return exact.position(i); });
     }
-    fill(c.point, wanted, wall_part::point, [&](int i) { return exact.point(i); });
-    fill(c.normal, wanted, wall_part::normal, [&](int i) { return exact.normal(i); });
-    fill(c.velocity, wanted, wall_part::velocity, [&](int i) { return exact.velocity(i); });
+    fill(c.point, wanted, wall_part::point, units.room, [&](int i) { return exact.point(i); });
+    fill(c.normal, wanted, wall_part::normal, units.room, [&](int i) { return exact.normal(i); });
+    fill(c.velocity, wanted, wall_part::velocity, units.room, [&](int i) { return exact.velocity(i); });
 }
 
 // Normal and velocity of a ball that overlaps an edge or a corner, from which `apart` points to its centre.
@@ -43,9 +43,10 @@ constexpr void round_overlap(wall_contact<N, T>& c, parts wanted, const vec<N, X
                              const S& r, scales units) {
     const relative_motion m{apart, u, r};
     const exact_overlap<T, std::remove_cvref_t<decltype(m)>> exact(m, units);
-    fill(c.normal, wanted, wall_part::normal, [&](int i) { return exact.normal(i); });
+    fill(c.normal, wanted, wall_part::normal, units.room, [&](int i) { return exact.normal(i); });
     const auto divisor = exact.velocity_divisor(one_like(r));
-    fill(c.velocity, wanted, wall_part::velocity, [&](int i) { return exact.velocity(u[i], i, two_like(r), divisor); });
+    fill(c.velocity, wanted, wall_part::velocity, units.room,
+         [&](int i) { return exact.velocity(u[i], i, two_like(r), divisor); });
 }
 
 // m: seen from the view in which the edge is the edge λ_0 = 0.
@@ -56,7 +57,7 @@ constexpr void round_edge(wall_contact<3, T>& c, parts wanted, encounter what, c
     if (what == encounter::overlap) {
         const auto square = graze::squared_norm(m.e[1]);
         using Z = surd_integer_for<M>;
-        fill(c.point, wanted, wall_part::point, [&](int i) {
+        fill(c.point, wanted, wall_part::point, units.room, [&](int i) {
             return round_to<T>(square * corner[i] + edge_foot<0>{}(m)*m.e[1][i], Z(0), radicand<Z>(), square,
                                units.length);
         });
@@ -67,13 +68,13 @@ constexpr void round_edge(wall_contact<3, T>& c, parts wanted, encounter what, c
     if (has_time(wanted)) {
         c.time = exact.path.time();
     }
-    fill(c.position, wanted, wall_part::position, [&](int i) { return exact.path.position(x[i], m.u[i]); });
-    fill(c.point, wanted, wall_part::point, [&](int i) { return exact.point(corner[i], i); });
+    fill(c.position, wanted, wall_part::position, units.room, [&](int i) { return exact.path.position(x[i], m.u[i]); });
+    fill(c.point, wanted, wall_part::point, units.room, [&](int i) { return exact.point(corner[i], i); });
     if (graze::sign(m.r) != 0) {
-        fill(c.normal, wanted, wall_part::normal, [&](int i) { return exact.normal(i); });
+        fill(c.normal, wanted, wall_part::normal, units.room, [&](int i) { return exact.normal(i); });
     }
     if (what == encounter::hit) {
-        fill(c.velocity, wanted, wall_part::velocity, [&](int i) { return exact.velocity(i); });
+        fill(c.velocity, wanted, wall_part::velocity, units.room, [&](int i) { return exact.velocity(i); });
     }
 }
 
@@ -82,7 +83,7 @@ template <int N, class T, class M, class I>
 constexpr void round_corner(wall_contact<N, T>& c, parts wanted, encounter what, const M& m, const vec<N, I>& x,
                             scales units) {
     using Z = surd_integer_for<M>;
-    fill(c.point, wanted, wall_part::point,
+    fill(c.point, wanted, wall_part::point, units.room,
          [&](int i) { return round_to<T>(x[i] - m.w[i], Z(0), radicand<Z>(), Z(1), units.length); });
     if (what == encounter::overlap) {
         round_overlap(c, wanted, m.w, m.u, m.r, units);
@@ -93,13 +94,13 @@ constexpr void round_corner(wall_contact<N, T>& c, parts wanted, encounter what,
     if (has_time(wanted)) {
         c.time = exact.time();
     }
-    fill(c.position, wanted, wall_part::position, [&](int i) { return exact.path.position(x[i], m.u[i]); });
+    fill(c.position, wanted, wall_part::position, units.room, [&](int i) { return exact.path.position(x[i], m.u[i]); });
     if (graze::sign(m.r) != 0) {
-        fill(c.normal, wanted, wall_part::normal, [&](int i) { return exact.normal(i); });
+        fill(c.normal, wanted, wall_part::normal, units.room, [&](int i) { return exact.normal(i); });
     }
     if (what == encounter::hit) {
         const auto divisor = exact.velocity_divisor(one_like(m.r));
-        fill(c.velocity, wanted, wall_part::velocity,
+        fill(c.velocity, wanted, wall_part::velocity, units.room,
              [&](int i) { return exact.velocity(m.u[i], i, two_like(m.r), divisor); });
     }
 }

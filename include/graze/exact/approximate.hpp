@@ -58,8 +58,8 @@ template <int Bits>
         return {};
     }
     const int last = x.count() - 1;
-    const double high = static_cast<double>(x.digit(last)) +
-                        (last > 0 ? static_cast<double>(x.digit(last - 1)) * 0x1p-64 : 0.0);
+    const double high =
+        static_cast<double>(x.digit(last)) + (last > 0 ? static_cast<double>(x.digit(last - 1)) * 0x1p-64 : 0.0);
     return {x.is_negated() ? -high : high, 64 * (x.low() + last)};
 }
 

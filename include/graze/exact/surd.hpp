@@ -88,9 +88,9 @@ template <class T>
 // The same two for integers whose width is in their type.
 inline constexpr int surd_room = 2048;
 template <int Bits>
-[[nodiscard, gnu::noinline]] constexpr int
-against_boundary(const integer<Bits>& p, const integer<Bits>& q, const integer<Bits>& d, const integer<Bits>& r,
-                 bool negative, int scale, std::uint64_t m, int exponent) {
+[[nodiscard, gnu::noinline]] constexpr int against_boundary(const integer<Bits>& p, const integer<Bits>& q,
+                                                            const integer<Bits>& d, const integer<Bits>& r,
+                                                            bool negative, int scale, std::uint64_t m, int exponent) {
     static_assert(Bits <= 1152);
     workspace_of<surd_room> room;
     return against_boundary(to_big(room, p), to_big(room, q), to_big(room, d), to_big(room, r), negative, scale, m,

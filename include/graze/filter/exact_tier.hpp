@@ -27,6 +27,10 @@ struct lifted_inputs {
 inline constexpr int one_limb_width = 61;
 inline constexpr int full_width = 2098;
 
+// Where big integers of formulas of doubles have their digits: room for all that a formula adds up from inputs of full
+// width.
+using exact_workspace = workspace_of<12288>;
+
 template <class Pair>
 inline constexpr bool narrow_pays = requires {
     Pair::narrow_pays;
@@ -41,7 +45,7 @@ template <class Pair, class Inputs, class F>
             return f(Pair::template motion<integer<one_limb_width>>(in));
         }
     }
-    workspace_of<16384> room;
+    exact_workspace room;
     Inputs here = in;
     here.use(room);
     return f(Pair::template motion<big_integer>(here));

@@ -97,7 +97,7 @@ template <int N, class T>
                     return in.template operator()<integer<one_limb_width>>();
                 }
             }
-            workspace_of<16384> room;
+            exact_workspace room;
             inputs_x.use(room);
             inputs_y.use(room);
             return root_order{}(big_quadratic_of(x, p, inputs_x), big_quadratic_of(y, r, inputs_y));
@@ -111,7 +111,7 @@ template <int N, class T>
     return with_pair<N>(x.kind, [&]<class P>(P p) {
         auto inputs = lift_row<P>(x.row);
         const int power = m.exponent - (inputs.length.exponent - inputs.velocity.exponent);
-        workspace_of<16384> room;
+        exact_workspace room;
         inputs.use(room);
         const auto numerator = big_integer::from_shifted(room, m.significand, power > 0 ? power : 0);
         const auto denominator = big_integer::from_shifted(room, 1, power < 0 ? -power : 0);

@@ -96,8 +96,7 @@ template <int N, class T>
     const int own = unit_of(x);
     const int unit = m.significand != 0 ? std::min(own, m.exponent) : own;
     timed_workspace room;
-    const auto numerator =
-        big_integer::from_shifted(room, m.significand, m.significand != 0 ? m.exponent - unit : 0);
+    const auto numerator = big_integer::from_shifted(room, m.significand, m.significand != 0 ? m.exponent - unit : 0);
     const big_integer one(1);
     const auto q = timed_quadratic_of(x, unit, room);
     return root_against(sign(value_at{}(q, numerator, one)), sign(slope_at{}(q, numerator, one)));
