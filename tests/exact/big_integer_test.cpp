@@ -70,19 +70,14 @@ void check_pair(int most_x, int most_y) {
     const big_integer y = any_value(w, most_y, b);
     check(x, a);
     check(y, b);
-    if (x.room() == nullptr && y.room() == nullptr) { // two constants have no workspace
-        return;
-    }
     check(x + y, a + b);
     check(x - y, a - b);
     check(y - x, b - a);
     check(x * y, a * b);
     check(-x, -a);
-    if (x.room() != nullptr) {
-        check(x + x, 2 * a);
-        check(x * x, a * a);
-        RC_ASSERT((x - x).count() == 0);
-    }
+    check(x + x, 2 * a);
+    check(x * x, a * a);
+    RC_ASSERT((x - x).count() == 0);
     RC_ASSERT((x * big_integer()).count() == 0);
     RC_ASSERT((y * big_integer(0)).sign() == 0);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/exact/big_integer.hpp>
-#include <graze/exact/sparse_integer.hpp>
+#include <graze/exact/integer.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -37,22 +37,8 @@ template <int Bits>
     return {x.is_negative() ? -value : value, 64 * top - (zeros == 64 ? 0 : zeros)};
 }
 
-template <int Bits>
-[[nodiscard]] constexpr scaled_double approximate(const sparse_integer<Bits>& x) noexcept {
-    if (x.count() == 0) {
-        return {};
-    }
-    // The highest digit may be small; then the next one carries the significant bits. The digits below these two amount
-    // to less than one part in 2^63 of them.
-    const int last = x.count() - 1;
-    const int position = x.position(last);
-    const auto high = static_cast<double>(x.digit(last));
-    if (last == 0 || x.position(last - 1) < position - 1) {
-        return {high, 64 * position};
-    }
-    return {high + static_cast<double>(x.digit(last - 1)) * 0x1p-64, 64 * position};
-}
-
+// The highest digit may be small; the next one then carries the significant bits. What is below is less than one part
+// in 2^63 of these two.
 [[nodiscard, gnu::noinline]] constexpr scaled_double approximate(const big_integer& x) noexcept {
     if (x.count() == 0) {
         return {};

@@ -24,7 +24,7 @@ namespace detail {
 class big_integer {
   public:
     constexpr big_integer() noexcept = default;
-    // -2 to 2.
+    // A constant, -4 to 4, which needs no workspace.
     constexpr big_integer(int value) noexcept
         : digit_(small + (value < 0 ? -value : value)), count_(value != 0 ? 1 : 0), negative_(value < 0) {}
 
@@ -97,6 +97,9 @@ class big_integer {
         const int shift = upper.low_ - lower.low_;
         const int end = upper.count_ + shift;
         const int count = lower.count_ > end ? lower.count_ : end;
+        if (are_constants(x, y)) {
+            return constant(subtract ? x.small_value() - y.small_value() : x.small_value() + y.small_value());
+        }
         workspace& w = *(x.room_ != nullptr ? x.room_ : y.room_);
         std::int64_t* const digit = w.take(count + 1);
         int i = 0;
@@ -128,6 +131,9 @@ class big_integer {
         if (x.count_ == 0 || y.count_ == 0) {
             return {};
         }
+        if (are_constants(x, y)) {
+            return constant(x.small_value() * y.small_value());
+        }
         workspace& w = *(x.room_ != nullptr ? x.room_ : y.room_);
         const int count = x.count_ + y.count_;
         std::int64_t* const digit = w.take(count);
@@ -154,11 +160,19 @@ class big_integer {
                 const int top = start + x.count_ + y.count_;
                 low = start < low ? start : low;
                 end = top > end ? top : end;
-                room = x.room_ != nullptr ? x.room_ : y.room_;
+                room = room != nullptr ? room : x.room_ != nullptr ? x.room_ : y.room_;
             }
         }
         if (end == 0) {
             return {};
+        }
+        if (room == nullptr) {
+            int total = 0;
+            for (int k = 0; k < count; ++k) {
+                const int value = terms[k].x->small_value() * terms[k].y->small_value();
+                total += terms[k].subtracted ? -value : value;
+            }
+            return constant(total);
         }
         const int size = end - low + 1;
         std::int64_t* const sum = room->take(size);
@@ -207,6 +221,19 @@ class big_integer {
         negative_ = negative;
     }
 
+    [[nodiscard]] static constexpr bool are_constants(const big_integer& x, const big_integer& y) noexcept {
+        return x.room_ == nullptr && y.room_ == nullptr;
+    }
+    [[nodiscard]] static constexpr big_integer constant(int value) noexcept {
+        if (value < -4 || value > 4) {
+            std::terminate(); // no formula does so
+        }
+        return value;
+    }
+    [[nodiscard]] constexpr int small_value() const noexcept {
+        return count_ == 0 ? 0 : static_cast<int>(negative_ ? -digit_[0] : digit_[0]);
+    }
+
     // Writes the digits of x y, as many as the factors have together.
     static constexpr void write_product(std::int64_t* digit, const big_integer& a, const big_integer& b) noexcept {
         const big_integer& x = a.count_ < b.count_ ? a : b; // fewer and longer rows
@@ -235,7 +262,7 @@ class big_integer {
         return carry;
     }
 
-    static constexpr std::int64_t small[3] = {0, 1, 2};
+    static constexpr std::int64_t small[5] = {0, 1, 2, 3, 4};
 
     workspace* room_ = nullptr;
     const std::int64_t* digit_ = nullptr;

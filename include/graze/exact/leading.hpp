@@ -4,7 +4,6 @@
 
 #include <graze/exact/big_integer.hpp>
 #include <graze/exact/integer.hpp>
-#include <graze/exact/sparse_integer.hpp>
 #include <graze/machine/wide_divide.hpp>
 
 #include <bit>
@@ -60,37 +59,6 @@ template <int Bits>
 
 // The highest digit may be ±1 and the next one of the other sign, so it takes the three highest to get 64 bits. All
 // digits below them amount to less than one unit of the third.
-template <int Bits>
-[[nodiscard, gnu::noinline]] constexpr leading leading_of(const sparse_integer<Bits>& x) noexcept {
-    const int count = x.count();
-    if (count == 0) {
-        return {};
-    }
-    const int top = x.position(count - 1);
-    std::uint64_t digit[3] = {static_cast<std::uint64_t>(x.digit(count - 1)), 0, 0}; // two's complement, highest first
-    for (int i = count - 2; i >= 0 && i >= count - 3; --i) {
-        const int place = top - x.position(i);
-        if (place > 2) {
-            break;
-        }
-        const std::int64_t value = x.digit(i);
-        digit[place] = static_cast<std::uint64_t>(value);
-        for (int above = place - 1; value < 0 && above >= 0 && digit[above]-- == 0; --above) {
-        }
-    }
-    const bool negative = x.sign() < 0;
-    if (negative) {
-        std::uint64_t carry = 1;
-        for (int i = 2; i >= 0; --i) {
-            digit[i] = add_with_carry(~digit[i], 0, carry);
-        }
-    }
-    if (digit[0] != 0) {
-        return leading_of_words(digit[0], digit[1], 64 * (top - 1), negative, 1);
-    }
-    return leading_of_words(digit[1], digit[2], 64 * (top - 2), negative, 1);
-}
-
 [[nodiscard, gnu::noinline]] constexpr leading leading_of(const big_integer& x) noexcept {
     const int top = x.count() - 1;
     if (top < 0) {

@@ -39,7 +39,8 @@ template <int N, class T, class Judge>
     return {};
 }
 
-// judge(F{}, numbers) is the sign of F(numbers), or open_sign. Where it has_roots, judge.root(x, y) makes y
+// judge(F{}, numbers) is the sign of F(numbers), or open_sign. Where it has a scope(), what numbers take while that
+// lives is given back. Where it has_roots, judge.root(x, y) makes y
 // that of x > 0, if it can.
 template <int N, class T, class Judge>
 class flat_decision {
@@ -110,6 +111,14 @@ class flat_decision {
     }
 
   private:
+    [[nodiscard, gnu::always_inline]] constexpr auto scope_of_judge() const {
+        if constexpr (requires { judge_.scope(); }) {
+            return judge_.scope();
+        } else {
+            return nullptr;
+        }
+    }
+
     static constexpr auto none = static_cast<feature>(3);
     struct located {
         feature where;
@@ -154,6 +163,7 @@ class flat_decision {
     }
     template <class Start, class End>
     [[nodiscard, gnu::always_inline]] constexpr int along(int k) const {
+        [[maybe_unused]] const auto scope = scope_of_judge();
         const auto x = seen_from_border(k);
         const int start = judge_(Start{}, x);
         const int end = judge_(End{}, x);
@@ -219,6 +229,7 @@ class flat_decision {
         return of_feature<border_h, corner_h>(f, x);
     }
     [[nodiscard]] constexpr int clearance(located f) const {
+        [[maybe_unused]] const auto scope = scope_of_judge();
         if (f.where == none) {
             return open_sign;
         }
@@ -347,6 +358,7 @@ class flat_decision {
         return v;
     }
     [[nodiscard]] constexpr verdict enters_edge(int k, bool& grazes) const {
+        [[maybe_unused]] const auto scope = scope_of_judge();
         const auto x = seen_from_border(k);
         const int d = judge_(border_discriminant{}, x);
         const verdict v = all_of(judge_above(minus(judge_(border_h{}, x))), above(judge_(border_c{}, x)), above(d));
@@ -377,6 +389,7 @@ class flat_decision {
         bool slides_off = judge_(way_speed{}, way_) == 0;
         for (int j = 0; j < count; ++j) {
             const int k = j == 0 ? first : other_border(corner, first, m_.is_triangle);
+            [[maybe_unused]] const auto scope = scope_of_judge();
             const auto x = seen_from_corner(corner, k);
             const int d = judge_(corner_discriminant{}, x);
             grazes = d == 0;

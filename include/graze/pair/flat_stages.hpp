@@ -3,7 +3,6 @@
 #pragma once
 
 #include <graze/exact/approximate.hpp>
-#include <graze/exact/long_integer.hpp>
 #include <graze/machine/environment.hpp>
 #include <graze/number/bounded_word.hpp>
 #include <graze/pair/flat_signs.hpp>
@@ -43,9 +42,13 @@ struct word_judge {
 };
 struct exact_judge {
     static constexpr bool has_roots = false;
+    workspace* room;
+
+    [[nodiscard]] constexpr workspace::scope scope() const noexcept { return workspace::scope(room); }
 
     template <class F, class X>
     [[nodiscard]] constexpr int operator()(F f, const X& x) const {
+        const workspace::scope own(room);
         return graze::sign(f(x));
     }
 };
@@ -109,14 +112,20 @@ template <int N>
 [[nodiscard, gnu::noinline]] constexpr flat_answer
 answer_by_integers(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<N>::velocities, 0>& in,
                    bool is_triangle, flat_question question) {
-    return answer_of(flat_motion_in<N, long_integer>(in, is_triangle), exact_judge{}, question);
+    exact_workspace room;
+    auto here = in;
+    here.use(room);
+    return answer_of(flat_motion_in<N, big_integer>(here, is_triangle), exact_judge{&room}, question);
 }
 
 // Whether the edges in a row are parallel.
 template <int N>
 [[nodiscard, gnu::noinline]] constexpr bool
 has_parallel_edges(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<N>::velocities, 0>& in) {
-    const auto n = face_normal(ball_and_wall<N>::template shapes_of<long_integer>(in).wall.edge);
+    exact_workspace room;
+    auto here = in;
+    here.use(room);
+    const auto n = face_normal(ball_and_wall<N>::template shapes_of<big_integer>(here).wall.edge);
     return sign(graze::squared_norm(n)) == 0;
 }
 

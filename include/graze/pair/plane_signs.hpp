@@ -131,7 +131,10 @@ template <int N, class T>
         }
     }
     by = stage::exact;
-    return answer_of_plane<N>(P::template motion<long_integer>(lift_row<P>(row)), exact_judge{}, question);
+    exact_workspace room;
+    auto in = lift_row<P>(row);
+    in.use(room);
+    return answer_of_plane<N>(P::template motion<big_integer>(in), exact_judge{&room}, question);
 }
 
 template <int N, class T>
