@@ -29,7 +29,7 @@ inline constexpr int full_width = 2098;
 
 // Where big integers of formulas of doubles have their digits: room for all that a formula adds up from inputs of full
 // width.
-using exact_workspace = workspace_of<12288>;
+using exact_workspace = workspace_of<16384>;
 
 template <class Pair>
 inline constexpr bool narrow_pays = requires {

@@ -13,7 +13,7 @@ namespace graze::inline v0_1::detail {
 // Of a pair of flights: lengths have up to 1024 + 1074 + 2045 bits where two pairs are compared, units of time going
 // down to 2^(-1074 - 971), of one's lengths over the other's velocities or by themselves; lengths over that times
 // 2^-1074, times over it and velocities as they are.
-using timed_workspace = workspace_of<32768>;
+using timed_workspace = workspace_of<24576>;
 
 // A pair of kind P, lifted, with the `since` of each of its two things, which a plane and a wall have from the flight.
 template <class P>
