@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 namespace batches {
@@ -93,31 +94,53 @@ template <int N, class T>
     return r;
 }
 
-// A plane or a wall, and balls of which the first is the family's and each other has one number that is beside by a few
-// units in the last place, or is another ball.
-template <int N>
-struct balls_and_shape {
-    families::pair_of_doubles<N> drawn;
-    many_balls<N, double> balls;
-};
-template <int N>
-[[nodiscard]] balls_and_shape<N> beside(const families::pair_of_doubles<N>& drawn, std::uint64_t seed,
-                                        std::size_t count) {
-    balls_and_shape<N> r{drawn, {}};
+// Balls of which the first is the pair's, rounded to T, and each other has one number that is beside by a unit in the
+// last place, or flies the other way.
+template <int N, class T>
+[[nodiscard]] many_balls<N, T> balls_beside(const families::pair_of_doubles<N>& drawn, std::uint64_t seed,
+                                            std::size_t count) {
+    many_balls<N, T> balls;
     families::random random(seed);
     for (std::size_t i = 0; i < count; ++i) {
-        auto b = drawn.a;
+        auto b = scaled<N, T>(drawn.a, 0, 0);
         if (i != 0) {
-            families::nudge_one(random, b);
+            T& x = random.one_in(2) ? b.position[static_cast<int>(random.below(N))] : b.radius;
+            x = std::nextafter(x, random.one_in(2) ? T(0) : 2 * x);
             if (random.one_in(4)) {
-                for (double& u : b.velocity.component) {
-                    u = -u;
-                }
+                b.velocity = -b.velocity;
             }
         }
-        r.balls.add(b);
+        balls.add(b);
+    }
+    return balls;
+}
+
+// A shape with its numbers rounded to T.
+template <int N, class T>
+[[nodiscard]] graze::vec<N, T> rounded(const graze::vec<N, double>& x) {
+    return graze::make_vec<N>([&](int k) { return static_cast<T>(x[k]); });
+}
+template <class T, int N>
+[[nodiscard]] graze::plane<N, T> in_type(const graze::plane<N, double>& p) {
+    return {rounded<N, T>(p.point), rounded<N, T>(p.normal)};
+}
+template <class T, int N>
+[[nodiscard]] graze::wall<N, T> in_type(const graze::wall<N, double>& w) {
+    graze::wall<N, T> r{rounded<N, T>(w.corner), {}};
+    for (std::size_t i = 0; i < r.edge.size(); ++i) {
+        r.edge[i] = rounded<N, T>(w.edge[i]);
     }
     return r;
+}
+// Whether graze accepts the pair.
+template <class B, class S>
+[[nodiscard]] bool is_accepted(const B& b, const S& shape) {
+    try {
+        (void)graze::classify(b, shape);
+    } catch (const std::domain_error&) {
+        return false;
+    }
+    return true;
 }
 
 } // namespace batches

@@ -110,6 +110,48 @@ void check_shape(const batches::many_balls<N, T>& balls, const Shape& shape) {
     CHECK(overlapping(a, shape, a.size()) == inside);
 }
 
+template <int N, class T, class Shape>
+void check_beside(const families::pair_of_doubles<N>& drawn, const Shape& shape, std::uint64_t seed) {
+    const auto balls = batches::balls_beside<N, T>(drawn, seed, 19);
+    const auto rounded = batches::in_type<T>(shape);
+    const auto& all = balls.all();
+    if (std::all_of(all.begin(), all.end(), [&](const auto& b) { return batches::is_accepted(b, rounded); })) {
+        check_shape(balls, rounded);
+    }
+}
+
+// Centres in the plane, or velocities along it, but for what rounds: the signs of w·n and u·n are those of rounding
+// errors then.
+template <int N, class T>
+void check_in_plane() {
+    families::random random(11);
+    const auto number = [&random] { return static_cast<T>(random.signed_bits(50)) * T(0x1p-50); };
+    for (int trial = 0; trial < 20; ++trial) {
+        graze::plane<N, T> p{};
+        for (int k = 0; k < N; ++k) {
+            p.point[k] = number();
+            p.normal[k] = number();
+        }
+        const auto along = [&] {
+            graze::vec<N, T> v{};
+            const T size = number();
+            v[0] = -p.normal[1] * size;
+            v[1] = p.normal[0] * size;
+            return v;
+        };
+        batches::many_balls<N, T> balls;
+        for (int i = 0; i < 64; ++i) {
+            graze::ball<N, T> b{along(), along(), T(0.01)};
+            b.position = p.point + b.position;
+            if (i % 3 != 0) {
+                (i % 3 == 1 ? b.position : b.velocity)[0] = number();
+            }
+            balls.add(b);
+        }
+        check_shape(balls, p);
+    }
+}
+
 // Balls in their own units and in any, against planes and walls of several sizes.
 template <int N, class T>
 void check_units() {
@@ -185,9 +227,11 @@ TEST_CASE_TEMPLATE("Balls against a plane or a wall", dimension, std::integral_c
             const auto drawn = family.draw<n>(7, i);
             if (drawn.kind == families::pair_kind::ball_plane) {
                 ++planes;
-                check_shape(batches::beside(drawn, i, 19).balls, drawn.plane);
+                check_beside<n, double>(drawn, drawn.plane, i);
+                check_beside<n, float>(drawn, drawn.plane, i);
             } else if (drawn.kind == families::pair_kind::ball_wall && i < 20) {
-                check_shape(batches::beside(drawn, i, 9).balls, drawn.wall);
+                check_beside<n, double>(drawn, drawn.wall, i);
+                check_beside<n, float>(drawn, drawn.wall, i);
             }
         }
     };
@@ -196,6 +240,8 @@ TEST_CASE_TEMPLATE("Balls against a plane or a wall", dimension, std::integral_c
     CHECK(planes > 50);
     check_units<n, double>();
     check_units<n, float>();
+    check_in_plane<n, double>();
+    check_in_plane<n, float>();
 }
 
 TEST_CASE("The oracle says the same of hard pairs") {

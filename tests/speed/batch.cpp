@@ -6,6 +6,7 @@
 
 #include <graze/batch.hpp>
 #include <graze/classify.hpp>
+#include <graze/time_of_impact.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <memory>
+#include <limits>
 #include <span>
 #include <string>
 #include <thread>
@@ -157,6 +158,25 @@ void measure_balls() {
                 t[0], t[1], t[2], t[3], t[3] / t[0], t[3] / t[1], t[4], t[4] / t[0], t[4] / t[1], t[5]);
 }
 
+// Times rounded to nearest: one by one, and as a batch.
+template <int N, class T>
+void measure_times() {
+    const auto pairs = balls_of<N, T>(families::all_families[0], count);
+    std::vector<T> time(count);
+    turns t;
+    t.add([&, &p = pairs[0].balls, &q = pairs[1].balls] {
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto impact = graze::time_of_impact(p[i], q[i]);
+            time[i] = impact ? static_cast<T>(*impact) : std::numeric_limits<T>::infinity();
+        }
+    });
+    t.add([&, x = pairs[0].columns(), y = pairs[1].columns()] { graze::batch::time_of_impact(x, y, time); });
+    t.add([&, &p = pairs[0].balls, &q = pairs[1].balls] { graze::batch::time_of_impact(p, q, time); });
+    t.measure(15);
+    std::printf("| %dD, %s | %.1f | %.1f (%.2f) | %.1f (%.2f) |\n", N, name_of<T>, t[0], t[1], t[1] / t[0], t[2],
+                t[2] / t[0]);
+}
+
 // Against one thing: one by one, and as a batch of columns.
 template <int N, class T, class Shape>
 void measure_shape(const char* name, const Shape& shape) {
@@ -235,6 +255,11 @@ int main() {
     measure_balls<3, double>();
     measure_balls<2, float>();
     measure_balls<3, float>();
+    std::puts("\nTimes, rounded to nearest\n\n| | one by one | batch: columns | batch: spans |\n|---|--:|--:|--:|");
+    measure_times<2, double>();
+    measure_times<3, double>();
+    measure_times<2, float>();
+    measure_times<3, float>();
     std::puts("\nAgainst one thing\n\n| | one by one | batch: columns |\n|---|--:|--:|");
     measure_shapes<2, double>();
     measure_shapes<3, double>();

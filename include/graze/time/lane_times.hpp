@@ -35,8 +35,9 @@ template <int N, class V>
     const mask infinity = mask::filled(std::bit_cast<typename mask::integer>(std::numeric_limits<T>::infinity()));
     mask time = never & infinity;
     if constexpr (std::is_same_v<T, double>) { // of floats in doubles later
-        const V d = V::of(hit & lane.discriminant.bits());
-        time = time | (hit & root_stable{}(lane.q.c, lane.q.h, plain_sqrt(d)).bits());
+        // Of the others, something that neither divides by zero nor is no number.
+        const V d = V::of(hit & lane.discriminant.bits()), h = chosen(hit, lane.q.h, V(-1));
+        time = time | (hit & root_stable{}(lane.q.c, h, plain_sqrt(d)).bits());
     }
     r.time = V::of(time);
     return r;
@@ -120,7 +121,7 @@ template <int N, class V>
     const V bound = V(constant::discriminant) * scale;
     const auto certain = (d > clear * bound) & (q.a * q.c > bound) & (q.a > V(smallest_square<float>)) &
                          (lane.length2 > V(smallest_square<float>));
-    const V root = plain_sqrt(V::of(certain & d.bits()));
+    const V root = plain_sqrt(chosen(certain, d, V(1)));
     const V time = root_stable{}(q.c, q.h, root);
     const V off = error * lane.length2 / root + 0x1p-45 * time;
     return {time - off, time + off, bits_of(certain)};
