@@ -19,7 +19,7 @@ requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const ball<N, T>& b, const plane<N, T>& p,
                                                                       Observer&& observer = {}) {
     stage by = stage::filter;
-    const bool in_doubles = !std::is_constant_evaluated() || detail::is_moderate(b, p);
+    bool in_doubles = !std::is_constant_evaluated() || detail::is_moderate(b, p);
     const encounter what = in_doubles ? detail::decide_plane(detail::filtered_plane<N, T>(b, p), b, p, by)
                                       : detail::decide_plane_slowly(b, p, detail::flat_question::what, by).what;
     observer(by);
