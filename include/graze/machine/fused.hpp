@@ -13,7 +13,7 @@ template <class F>
 using passed = std::conditional_t<sizeof(F) <= 16 && std::is_trivially_copyable_v<F>, F, const F&>;
 
 template <class F>
-[[nodiscard, gnu::target("fma"), gnu::noinline]] auto run_fused(passed<F> f) {
+[[nodiscard, gnu::target("fma"), gnu::noinline, gnu::flatten]] auto run_fused(passed<F> f) {
     return f(std::true_type{});
 }
 template <class F>

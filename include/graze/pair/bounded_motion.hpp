@@ -2,27 +2,46 @@
 #pragma once
 
 #include <graze/analysis/rounding_count.hpp>
+#include <graze/analysis/word_rounding.hpp>
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
-#include <graze/number/double_word.hpp>
+#include <graze/number/loose_word.hpp>
 
 namespace graze::inline v0_1::detail {
 
-// What is known of the arithmetic: doubles in any rounding mode, and double words to nearest, whose sums and products
-// are right to 7u² < 2^-103.
+// What is known of the arithmetic: a number type of the analysis with the inputs of a motion, and the bound that it
+// stands for. Doubles hold inputs that have been rounded once, in any rounding mode; loose words hold exact ones.
 struct of_doubles {
-    static constexpr double unit = 0x1p-52;
+    using count = rounding_count;
+    static constexpr rounding_count input = rounding_count::rounded_input();
+    static constexpr rounding_count exact = rounding_count::exact_input();
+    [[nodiscard]] static consteval double bound(const rounding_count& x) { return x.bound(0x1p-52); }
 };
-struct of_double_words {
-    static constexpr double unit = 0x1p-103;
+struct of_words {
+    using count = word_rounding;
+    static constexpr word_rounding input = word_rounding::exact_input();
+    static constexpr word_rounding exact = word_rounding::exact_input();
+    [[nodiscard]] static consteval double bound(const word_rounding& x) { return x.bound(); }
 };
 
 [[nodiscard]] constexpr double leading_double(double x) noexcept { return x; }
 template <bool Fused>
-[[nodiscard]] constexpr double leading_double(const basic_double_word<Fused>& x) noexcept {
-    return x.high();
+[[nodiscard]] constexpr double leading_double(const loose_word<Fused>& x) noexcept {
+    return settled(x.high + x.low); // where terms cancel, low may be the larger one
 }
+
+// The same number with its low part at most half a last place of the high one: as an input is.
+[[nodiscard]] constexpr double as_input(double x) noexcept { return x; }
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] constexpr loose_word<Fused> as_input(const loose_word<Fused>& x) noexcept {
+    return loose_word<Fused>(two_sum(x.high, x.low));
+}
+template <class V>
+[[nodiscard, gnu::always_inline]] constexpr vec<3, V> as_input(const vec<3, V>& x) noexcept {
+    return {{as_input(x[0]), as_input(x[1]), as_input(x[2])}};
+}
+
 template <class V>
 requires number<V>
 [[nodiscard]] constexpr term_size size_of(const V& x) noexcept { return term_size(leading_double(x)); }
@@ -35,13 +54,6 @@ template <int N, class V>
     return relative_motion{size_of(m.dx), size_of(m.du), size_of(m.R)};
 }
 
-// A motion each of whose numbers is `count`.
-template <int N>
-[[nodiscard]] consteval auto counted_motion(const rounding_count& count) {
-    const auto each = make_vec<N>([&](int) { return count; });
-    return relative_motion{each, each, count};
-}
-
 // A computed value and what it can be off by.
 template <class V>
 struct bounded_value {
@@ -51,10 +63,37 @@ struct bounded_value {
     [[nodiscard]] constexpr int sign() const noexcept { return certain_sign(leading_double(value), error); }
 };
 
-// Formulas of a motion whose inputs have taken `Counts` roundings, a type whose value() is the motion in
-// rounding_count. What underflows, or is flushed to zero, in lengths L and velocities V is a few times 2^-1022 (L + V +
-// L V) after one product; once more multiplied it is below 2^-1010 (1 + L²)(1 + V²), L, V < 2^100.
-template <class Arithmetic, class Counts, int N, class V>
+// What Δx × Δu, component by component, and D from it can be off by, beside the sizes of their terms.
+template <class Arithmetic, class Motion, int N>
+class lagrange_bounds {
+    using count = typename Arithmetic::count;
+
+    [[nodiscard]] static constexpr count component(const count& x) { return x; }
+    [[nodiscard]] static constexpr count component(const vec<3, count>& x) { return x[0]; }
+    [[nodiscard]] static constexpr count exact_like(const count&) { return Arithmetic::exact; }
+    [[nodiscard]] static constexpr vec<3, count> exact_like(const vec<3, count>&) {
+        return {{Arithmetic::exact, Arithmetic::exact, Arithmetic::exact}};
+    }
+    struct constants {
+        double of_cross, of_rest;
+
+        consteval constants() : of_cross(0), of_rest(0) {
+            const auto m = Motion::template value<N, Arithmetic>();
+            const auto cross = graze::cross(m.dx, m.du);
+            of_cross = Arithmetic::bound(component(cross));
+            of_rest = Arithmetic::bound(discriminant_of_cross{}(m.R, graze::squared_norm(m.du), exact_like(cross)));
+        }
+    };
+
+  public:
+    static constexpr double of_cross = constants().of_cross;
+    static constexpr double of_rest = constants().of_rest;
+};
+
+// Formulas of a motion in numbers V. Motion: its numbers in the analysis, as value<count>(input, exact). What
+// underflows, or is flushed to zero, in lengths L and velocities V is a few times 2^-1022 (L + V + L V) after one
+// product; once more multiplied it is below 2^-1010 (1 + L²)(1 + V²), L, V < 2^100.
+template <class Arithmetic, class Motion, int N, class V>
 struct sized_motion {
     const relative_motion<N, V, V, V>& motion;
     relative_motion<N, term_size, term_size, term_size> size;
@@ -74,37 +113,22 @@ struct sized_motion {
 
     template <class F>
     [[nodiscard, gnu::always_inline]] constexpr bounded_value<V> operator()(F f) const noexcept {
-        constexpr double k = f_count<F>().bound(Arithmetic::unit);
+        constexpr double k = Arithmetic::bound(F{}(Motion::template value<N, Arithmetic>()));
         return {f(motion), k * f(size).value + lost};
     }
 
-    // D by Lagrange's identity: first the error of Δx × Δu, component by component, then what it does to the square.
+    // D by Lagrange's identity.
     [[nodiscard, gnu::always_inline]] constexpr bounded_value<V> discriminant() const noexcept {
-        const auto cross = graze::cross(motion.dx, motion.du);
-        const auto a = graze::squared_norm(motion.du);
-        constexpr auto counts = Counts::value();
-        constexpr double of_cross = one_of(graze::cross(counts.dx, counts.du)).bound(Arithmetic::unit);
-        constexpr double of_rest = discriminant_of_cross{}(counts.R, graze::squared_norm(counts.du),
-                                                           exact_like(graze::cross(counts.dx, counts.du)))
-                                       .bound(Arithmetic::unit);
+        using lagrange = lagrange_bounds<Arithmetic, Motion, N>;
+        const auto cross = as_input(graze::cross(motion.dx, motion.du));
         const auto cross_size = size_of(cross);
         const double terms = discriminant_of_cross{}(size.R, graze::squared_norm(size.du), cross_size).value;
-        const double moved = square_moved(cross_size, graze::cross(size.dx, size.du), of_cross);
-        return {discriminant_of_cross{}(motion.R, a, cross), of_rest * terms + moved + lost};
+        const double moved = square_moved(cross_size, graze::cross(size.dx, size.du), lagrange::of_cross);
+        return {discriminant_of_cross{}(motion.R, graze::squared_norm(motion.du), cross),
+                lagrange::of_rest * terms + moved + lost};
     }
 
   private:
-    template <class F>
-    [[nodiscard]] static consteval rounding_count f_count() {
-        return F{}(Counts::value());
-    }
-    [[nodiscard]] static consteval rounding_count one_of(const rounding_count& x) { return x; }
-    [[nodiscard]] static consteval rounding_count one_of(const vec<3, rounding_count>& x) { return x[0]; }
-    [[nodiscard]] static consteval rounding_count exact_like(const rounding_count&) {
-        return rounding_count::exact_input();
-    }
-    [[nodiscard]] static consteval vec<3, rounding_count> exact_like(const vec<3, rounding_count>&) { return {}; }
-
     // |X² - x²| <= e (2|x| + e) for |X - x| <= e.
     [[nodiscard]] static constexpr double square_moved(const term_size& x, const term_size& terms, double k) noexcept {
         const double e = k * terms.value;

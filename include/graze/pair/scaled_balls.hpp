@@ -36,6 +36,18 @@ template <int N>
     }
 }
 
+// Whether lengths and velocities are of a size at which nothing needs to be scaled: the largest within 2^±100. Others
+// may be smaller than that; bounds cover what they lose.
+template <int N>
+[[nodiscard, gnu::always_inline]] inline bool has_usual_range(const ball<N, double>& a,
+                                                              const ball<N, double>& b) noexcept {
+    const auto usual = [](std::uint64_t order) {
+        return order - (std::uint64_t{1023 - 100} << 52) < std::uint64_t{200} << 52;
+    };
+    return usual(std::max(largest_order(a.position, b.position), largest_order(a.radius, b.radius))) &&
+           usual(largest_order(a.velocity, b.velocity));
+}
+
 // The exponent by which numbers of at most this order are multiplied: the largest is then within [2^-52, 2).
 [[nodiscard]] inline int scale_of(std::uint64_t order) noexcept {
     return std::clamp(1023 - static_cast<int>(order >> 52), -1022, 1023);

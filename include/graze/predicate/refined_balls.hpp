@@ -16,17 +16,18 @@ struct refined_encounter {
     stage decided_by = stage::exact;
 };
 
-// Differences of doubles are rounded once, and exact as double words.
-template <int N, int Roundings>
-struct counted_balls {
+// The motion of two balls as the analysis sees it: all of its numbers are inputs.
+struct analysed_balls {
+    template <int N, class Arithmetic>
     [[nodiscard]] static consteval auto value() {
-        return counted_motion<N>(Roundings == 0 ? rounding_count::exact_input() : rounding_count::rounded_input());
+        const auto each = make_vec<N>([](int) { return Arithmetic::input; });
+        return relative_motion{each, each, Arithmetic::input};
     }
 };
 
 template <bool Fused, int N>
 [[nodiscard, gnu::always_inline]] inline auto word_motion(const ball<N, double>& a, const ball<N, double>& b) noexcept {
-    using word = basic_double_word<Fused>;
+    using word = loose_word<Fused>;
     const auto difference = [](const vec<N, double>& x, const vec<N, double>& y) __attribute__((always_inline)) {
         return make_vec<N>([&](int i) { return word(two_difference(x[i], y[i])); });
     };
@@ -41,8 +42,7 @@ struct encounter_in_words {
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept {
         const auto m = word_motion<Fused>(*a, *b);
-        return decided_encounter(
-            sized_motion<of_double_words, counted_balls<N, 0>, N, basic_double_word<Fused>>(m, size_of(m)));
+        return decided_encounter(sized_motion<of_words, analysed_balls, N, loose_word<Fused>>(m, size_of(m)));
     }
 };
 template <int N>
@@ -59,7 +59,7 @@ template <int N>
 // Of a motion whose numbers are in range.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline refined_encounter
-refine_sized(const sized_motion<of_doubles, counted_balls<N, 1>, N, double>& sized, const ball<N, double>& a,
+refine_sized(const sized_motion<of_doubles, analysed_balls, N, double>& sized, const ball<N, double>& a,
              const ball<N, double>& b) noexcept {
     const int what = decided_encounter(sized);
     return what != undecided ? refined_encounter{what, stage::refined} : refine_in_words(a, b);
@@ -73,7 +73,7 @@ template <int N>
         return {};
     }
     const auto m = rounded_motion(s.a, s.b);
-    const sized_motion<of_doubles, counted_balls<N, 1>, N, double> sized(m, size_of(m));
+    const sized_motion<of_doubles, analysed_balls, N, double> sized(m, size_of(m));
     if (!sized.in_range()) {
         return {};
     }
@@ -90,7 +90,7 @@ template <int N>
                                                                   const ball<N, double>& b) noexcept {
     if (has_usual_size(a, b)) {
         const auto m = rounded_motion(a, b);
-        const sized_motion<of_doubles, counted_balls<N, 1>, N, double> sized(m, size_of(m));
+        const sized_motion<of_doubles, analysed_balls, N, double> sized(m, size_of(m));
         if (sized.in_range()) {
             return refine_sized<N>(sized, a, b);
         }

@@ -24,6 +24,7 @@ struct event {
     event_kind kind;
     std::int8_t index;
     bool overlap;
+    bool nearest = false; // whether the enclosure of the time is around the number that it is rounded to
 
     template <class P, class Y>
     constexpr event(P, const ball<N, T>& x, const Y& y, event_kind what, int which, bool inside) noexcept

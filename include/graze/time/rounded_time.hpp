@@ -5,6 +5,7 @@
 #include <graze/time/enclosure.hpp>
 #include <graze/time/event.hpp>
 #include <graze/time/fast_time.hpp>
+#include <graze/time/further_time.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -120,6 +121,29 @@ template <class T, int N, class U>
     });
 }
 
+// The two balls of an event's row.
+template <int N, class U>
+[[nodiscard]] constexpr ball<N, U> ball_in(const event<N, U>& e, int which) noexcept {
+    ball<N, U> b;
+    for (int i = 0; i < N; ++i) {
+        b.position[i] = e.row[static_cast<std::size_t>(which * N + i)];
+        b.velocity[i] = e.row[two_balls<N>::lengths + static_cast<std::size_t>(which * N + i)];
+    }
+    b.radius = e.row[static_cast<std::size_t>(2 * N + which)];
+    return b;
+}
+
+// The time of two balls by double words, and by integers where they leave a doubt.
+template <class T, int N, class U>
+[[nodiscard, gnu::noinline]] T round_further(const event<N, U>& e, rounding mode) {
+    if constexpr (std::is_floating_point_v<U>) {
+        if (const auto rounded = round_further_time<T>(find_further_time(ball_in(e, 0), ball_in(e, 1)), mode)) {
+            return *rounded;
+        }
+    }
+    return round_exactly<T>(e, mode);
+}
+
 // The time of two balls that do not overlap, near `time`, rounded to nearest: by doubles if that leaves no doubt.
 //
 // Of the environment the rounding direction matters alone where the inputs become doubles as they are. Where subnormals
@@ -140,7 +164,7 @@ struct nearest_time {
         if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
             return static_cast<T>(interval.upper);
         }
-        return round_exactly<T>(*e, rounding::nearest);
+        return round_further<T>(*e, rounding::nearest);
     }
 };
 
@@ -164,6 +188,13 @@ template <class T, int N, class U>
     if (e.overlap) {
         return T(0);
     }
+    if (e.nearest && mode == rounding::nearest) {
+        if constexpr (std::is_same_v<T, double>) {
+            return bounds.near;
+        } else {
+            return round_double<T>(bounds.near, mode);
+        }
+    }
     if constexpr (std::numeric_limits<T>::digits < 40) { // the enclosure is hardly ever narrow enough for doubles
         const double upper = bounds.upper();
         const T low = round_double<T>(bounds.lower(), mode);
@@ -179,6 +210,9 @@ template <class T, int N, class U>
         }
         if (const auto fast = round_fast<T>(e, bounds.near, mode)) {
             return *fast;
+        }
+        if (e.kind == event_kind::balls) {
+            return round_further<T>(e, mode);
         }
     }
     return round_exactly<T>(e, mode);

@@ -3,6 +3,7 @@
 
 #include <graze/predicate/classify_balls.hpp>
 #include <graze/predicate/classify_walls.hpp>
+#include <graze/time/further_time.hpp>
 #include <graze/time/impact_time.hpp>
 
 #include <optional>
@@ -51,6 +52,45 @@ template <int N, class T>
     return enclosed_exactly(event<N, T>(two_balls<N>{}, a, b, event_kind::balls, 0, what == encounter::overlap));
 }
 
+// An enclosure around a time in units of 2^unit that is further rounded to `nearest`, unknown beyond 2^±900.
+[[nodiscard]] inline enclosure enclosure_of(const further_time& t, double nearest) noexcept {
+    const double near = absolute(nearest);
+    if (!within_powers<-900, 900>(near)) {
+        return {nearest, enclosure::unknown};
+    }
+    return {nearest, 0x1p-49 * near + (t.unit == 0 ? t.time.error : 0)};
+}
+
+// The same by double words as far as they reach. Time and stage.
+template <int N, class T>
+struct further_impact {
+    std::optional<impact_time<N, T>> time;
+    stage decided_by;
+};
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr further_impact<N, T> time_of_impact_further(const ball<N, T>& a,
+                                                                                   const ball<N, T>& b) {
+    if constexpr (std::is_floating_point_v<T>) {
+        if (!std::is_constant_evaluated() && plain_radii(a.radius, b.radius)) {
+            const further_time t = find_further_time(a, b);
+            if (t.what == static_cast<int>(encounter::recede) || t.what == static_cast<int>(encounter::miss)) {
+                return {std::nullopt, stage::double_word};
+            }
+            if (t.what == static_cast<int>(encounter::overlap)) {
+                return {time_of_overlap(a, b), stage::double_word};
+            }
+            if (t.what == static_cast<int>(encounter::hit)) {
+                if (const auto nearest = round_further_time<double>(t, rounding::nearest)) {
+                    event<N, T> e(two_balls<N>{}, a, b, event_kind::balls, 0, false);
+                    e.nearest = std::is_same_v<T, double>;
+                    return {impact_time<N, T>(impact_time_key{}, enclosure_of(t, *nearest), e), stage::double_word};
+                }
+            }
+        }
+    }
+    return {time_of_impact_exactly(a, b), stage::exact};
+}
+
 } // namespace detail
 
 // Laws 1 to 6 of classify_balls.hpp, and
@@ -62,6 +102,11 @@ requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
 time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
     if (!std::is_constant_evaluated()) {
+        if (!detail::has_usual_size(a, b)) [[unlikely]] {
+            auto further = detail::time_of_impact_further(a, b);
+            observer(further.decided_by);
+            return further.time;
+        }
         // Half of all pairs part; of the others a hit takes one branch, since what else is asked never differs.
         const auto started = detail::start_filter(a, b);
         if (started.is_parting()) {
@@ -80,7 +125,7 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
                                                         detail::two_balls<N>{}, a, b, detail::event_kind::balls, 0,
                                                         false);
             }
-            return detail::time_of_impact_exactly(a, b);
+            return detail::time_of_impact_further(a, b).time;
         }
         if (const auto f = started.finish(); f.certain) {
             observer(stage::filter);
@@ -91,12 +136,12 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
             if (what == encounter::overlap) {
                 return detail::time_of_overlap(a, b);
             }
-            return detail::time_of_impact_exactly(a, b); // nearly a graze
+            return detail::time_of_impact_further(a, b).time; // nearly a graze
         }
     }
-    auto time = detail::time_of_impact_exactly(a, b);
-    observer(stage::exact);
-    return time;
+    auto further = detail::time_of_impact_further(a, b);
+    observer(further.decided_by);
+    return further.time;
 }
 
 // The exact time at which a ball touches a plane first; empty when it recedes. Throws as classify does.

@@ -1,0 +1,50 @@
+// A bounded number times a power of two, rounded once.
+#pragma once
+
+#include <graze/exact/approximate.hpp>
+#include <graze/exact/round_leading.hpp>
+#include <graze/machine/fence.hpp>
+#include <graze/time/rounding_test.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace graze::inline v0_1::detail {
+
+// The leading bits of high + low, high the nearest double and within 2^±900, with an error of at most 2^-60 of it: in
+// units of the last of 64 bits low is at most 2^10, and taking low and error to integers costs one unit each.
+[[nodiscard]] inline leading leading_of(const exact_pair<double>& x, double error) noexcept {
+    const binary b = split(x.value);
+    const int exponent = b.exponent - 11;
+    const bool negative = b.significand < 0;
+    const auto magnitude = static_cast<std::uint64_t>(negative ? -b.significand : b.significand) << 11;
+    const double unit = power_of_two(-exponent);
+    const auto low = static_cast<std::int64_t>((negative ? -x.error : x.error) * unit);
+    const auto off = static_cast<std::uint64_t>(error * unit) + 2;
+    const std::uint64_t sum = magnitude + static_cast<std::uint64_t>(low);
+    if (sum >> 63 == 0) { // just below a power of two
+        return {sum << 1, 2 * off, exponent - 1, negative};
+    }
+    return {sum, off, exponent, negative};
+}
+
+// x 2^scale rounded; empty where its bounds leave a doubt.
+template <class T>
+[[nodiscard, gnu::noinline]] std::optional<T> rounded_scaled(const bounded<double>& x, int scale,
+                                                             rounding mode) noexcept {
+    const auto sum = two_sum(x.high, x.low);
+    const double size = absolute(sum.value);
+    if (!(within_powers<-900, 900>(size) && x.error < 0x1p-60 * size)) {
+        return std::nullopt;
+    }
+    leading value = leading_of(sum, x.error);
+    value.exponent += scale;
+    bool doubtful = false;
+    const T nearest = round_estimate<T>(value, mode, [&](std::uint64_t, int) {
+        doubtful = true;
+        return 0;
+    });
+    return doubtful ? std::nullopt : std::optional<T>(nearest);
+}
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,172 @@
+// When two balls meet, in double words with a proven error, whatever cancels but ties.
+//
+// u = 2^-53, doubles to nearest. What sums and products lose comes from word_rounding; errors are upper bounds, with
+// room for the roundings of their own expressions.
+#pragma once
+
+#include <graze/machine/accurate_sum.hpp>
+#include <graze/predicate/refined_balls.hpp>
+
+#include <cmath>
+
+namespace graze::inline v0_1::detail {
+
+// a b - c d. With M = |a b| + |c d|, and `low` the products of one high and one low part each, whose sizes add up to l:
+// all of the high parts is kept but 11u³ M; low takes 3 roundings, 3 more in adding it up, and leaves out the products
+// of low parts, at most u l: 7u l. The last sum but one rounds what is at most u |a b - c d| and l: u² |a b - c d|.
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline bounded_value<loose_word<Fused>>
+difference_of_products(const loose_word<Fused>& a, const loose_word<Fused>& b, const loose_word<Fused>& c,
+                       const loose_word<Fused>& d) noexcept {
+    const auto p = two_product(as_factor<Fused>(a.high), as_factor<Fused>(b.high));
+    const auto q = two_product(as_factor<Fused>(c.high), as_factor<Fused>(d.high));
+    const auto high = two_difference(p.value, q.value);
+    const auto error = two_difference(p.error, q.error);
+    const double l0 = a.high * b.low, l1 = a.low * b.high, l2 = c.high * d.low, l3 = c.low * d.high;
+    const auto middle = two_sum(high.error, error.value);
+    const auto sum = two_sum(high.value, middle.value);
+    const double rest = settled(middle.error + error.error) + settled((l0 + l1) - (l2 + l3));
+    const loose_word<Fused> value(two_sum(sum.value, settled(sum.error + settled(rest))));
+    return {value, 0x1p-50 * ((std::fabs(l0) + std::fabs(l1)) + (std::fabs(l2) + std::fabs(l3))) +
+                       (0x1p-104 * std::fabs(value.high) + 0x1p-154 * (std::fabs(p.value) + std::fabs(q.value)))};
+}
+
+// Δx × Δu, and the sum of what its components can be off by.
+template <bool Fused, int N>
+struct word_cross;
+template <bool Fused>
+struct word_cross<Fused, 2> {
+    using word = loose_word<Fused>;
+    word value;
+    double error, moved; // moved: of its square
+
+    [[gnu::always_inline]] word_cross(const vec<2, word>& x, const vec<2, word>& y) noexcept {
+        const auto z = difference_of_products(x[0], y[1], x[1], y[0]);
+        value = z.value;
+        error = z.error;
+        moved = error * (2 * std::fabs(value.high) + error);
+    }
+    [[nodiscard, gnu::always_inline]] double size() const noexcept { return std::fabs(value.high); }
+};
+template <bool Fused>
+struct word_cross<Fused, 3> {
+    using word = loose_word<Fused>;
+    vec<3, word> value;
+    double error, moved;
+
+    [[gnu::always_inline]] word_cross(const vec<3, word>& x, const vec<3, word>& y) noexcept {
+        const auto z0 = difference_of_products(x[1], y[2], x[2], y[1]);
+        const auto z1 = difference_of_products(x[2], y[0], x[0], y[2]);
+        const auto z2 = difference_of_products(x[0], y[1], x[1], y[0]);
+        value = {{z0.value, z1.value, z2.value}};
+        error = (z0.error + z1.error) + z2.error;
+        moved = error * (2 * size() + error);
+    }
+    [[nodiscard, gnu::always_inline]] double size() const noexcept {
+        return (std::fabs(value[0].high) + std::fabs(value[1].high)) + std::fabs(value[2].high);
+    }
+};
+
+// √d, d > 0, with what d can be off by: root and 1/(2 root).high. With r = √dh in doubles, root = r + (d - r²)/(2r) is
+// off by at most u²/2 root for the next term, 4.5u² for three roundings of what is at most 3u d, and 1.5u² each for
+// 1/(2r) and the product: 2^-102 root covers them. And |√D - √d| <= |D - d|/√d.
+template <bool Fused>
+struct word_root {
+    loose_word<Fused> value;
+    double error;
+
+    [[gnu::always_inline]] word_root(const loose_word<Fused>& d, double d_error) noexcept {
+        const double root = settled(plain_sqrt(d.high));
+        const double half_inverse = settled(0.5 / root);
+        const auto square = two_square(as_factor<Fused>(root));
+        const double rest = settled(settled(d.high - square.value) - square.error) + d.low;
+        value = loose_word<Fused>(root, settled(rest * half_inverse));
+        error = 2.25 * d_error * half_inverse + 0x1p-102 * root;
+    }
+};
+
+// Two balls in words: the encounter as far as it is certain, and of a hit a, √D and the time.
+template <bool Fused, int N>
+struct word_approach {
+    using word = loose_word<Fused>;
+
+    relative_motion<N, word, word, word> motion;
+    word_cross<Fused, N> cross;
+    word a, root, time;
+    double root_error = 0, time_error = 0;
+    double length2 = 0;
+    bool in_range = false;
+    bool good = false; // whether errors of root and time are known
+    int what;          // an encounter, or undecided
+
+    [[gnu::always_inline]] word_approach(const ball<N, double>& x, const ball<N, double>& y) noexcept
+        : motion(word_motion<Fused>(x, y)), cross(motion.dx, motion.du), a(graze::squared_norm(motion.du)) {
+        what = decide();
+    }
+
+  private:
+    [[nodiscard, gnu::always_inline]] int decide() noexcept {
+        const sized_motion<of_words, analysed_balls, N, word> sized(motion, size_of(motion));
+        in_range = sized.in_range();
+        length2 = sized.length2;
+        if (!in_range) {
+            return undecided;
+        }
+        const auto h = sized(coefficient_h{});
+        if (const int s = h.sign(); s >= 0) {
+            return s == open ? undecided : static_cast<int>(encounter::recede);
+        }
+        auto c = sized(coefficient_c{});
+        if (std::fabs(c.value.high) < 0x1p-10 * length2) {
+            c = near_c(sized.lost);
+        }
+        if (const int s = c.sign(); s != 1) {
+            return s == open ? undecided : static_cast<int>(encounter::overlap);
+        }
+        const double cross_size = cross.size();
+        const double terms = sized.size.R.value * sized.size.R.value * sized.speed2 + cross_size * cross_size;
+        const double d_error = lagrange_bounds<of_words, analysed_balls, N>::of_rest * terms + cross.moved + sized.lost;
+        const word loose = discriminant_of_cross{}(motion.R, a, cross.value);
+        const word d(two_sum(loose.high, loose.low));
+        if (!(std::fabs(d.high) > 2 * d_error)) {
+            return undecided;
+        }
+        if (d.high < 0) {
+            return static_cast<int>(encounter::miss);
+        }
+        const word_root<Fused> found(d, d_error);
+        root = found.value;
+        root_error = found.error;
+        find_time(h, c);
+        return static_cast<int>(encounter::hit);
+    }
+
+    // c/(-h + √D). With t = c.high/d in doubles, right to 4u but for what low parts make, the residual c - t d is at
+    // most 2^-49 c; it takes 4 roundings, the quotient by it 3 more, 1/d being right to 2u: less than 2^-98 of the
+    // time.
+    [[gnu::always_inline]] void find_time(const bounded_value<word>& h, const bounded_value<word>& c) noexcept {
+        const word denominator = root - h.value;
+        const double inverse = settled(1 / denominator.high);
+        const double near = settled(c.value.high * inverse);
+        const auto back = two_product(as_factor<Fused>(near), as_factor<Fused>(denominator.high));
+        const double residual =
+            settled(settled(c.value.high - back.value) - back.error) + settled(c.value.low - near * denominator.low);
+        time = word(fast_two_sum(near, settled(residual * inverse)));
+        const double denominator_error = root_error + h.error + 0x1p-102 * denominator.high;
+        time_error = 1.25 * ((c.error + near * denominator_error) * inverse) + 0x1p-98 * near;
+        good = 16 * std::max(root_error, denominator_error) < root.high;
+    }
+
+    // c of balls that nearly touch.
+    [[nodiscard, gnu::always_inline]] bounded_value<word> near_c(double lost) const noexcept {
+        accurate_sum<Fused> sum;
+        for (int i = 0; i < N; ++i) {
+            sum.add_square({motion.dx[i].high, motion.dx[i].low}, 1);
+        }
+        sum.add_square({motion.R.high, motion.R.low}, -1);
+        const word c(sum.rounded());
+        return {c, 0x1p-104 * std::fabs(c.high) + 0x1p-142 * length2 + lost};
+    }
+};
+
+} // namespace graze::inline v0_1::detail
