@@ -3,6 +3,7 @@
 
 #include <graze/contact/exact_balls.hpp>
 #include <graze/contact/fast_contact.hpp>
+#include <graze/contact/word_contact.hpp>
 #include <graze/predicate/classify_balls.hpp>
 
 #include <cmath>
@@ -76,38 +77,110 @@ template <int N, class T>
     round_balls(c, wanted, what, e, {in.length.exponent, in.velocity.exponent, &room});
 }
 
-// The contact of two balls of which it has been decided what becomes of them; f: what the filter knows of them, which
-// is certain of no graze.
-template <int N, class T, class Observer>
-[[nodiscard]] constexpr std::optional<contact<N, T>> contact_of(encounter what, stage decided_by,
-                                                                const filtered_balls& f, const ball<N, T>& a,
-                                                                const ball<N, T>& b, Observer&& observer) {
+// What an overlap leaves as it is, and a ball whose mass is infinite or that is grazed.
+template <int N, class T>
+constexpr void keep_states(contact<N, T>& c, encounter what, const ball<N, T>& a, const ball<N, T>& b) noexcept {
+    c.velocity_a = a.velocity;
+    c.velocity_b = b.velocity;
+    if (what == encounter::overlap) {
+        c.position_a = with_plain_zeros(a.position);
+        c.position_b = with_plain_zeros(b.position);
+    }
+}
+
+// By double words, as far as they reach.
+template <int N, class T>
+void find_by_words(further_contact& r, const ball<N, T>& a, const ball<N, T>& b) noexcept {
+    if (std::is_same_v<T, double> || keeps_subnormals()) {
+        find_further_contact(r, in_doubles(a), in_doubles(b), effective_mass<double>(a.mass, b.mass),
+                             effective_mass<double>(b.mass, a.mass));
+    }
+}
+
+// The contact of two balls of which doubles leave open whether they meet.
+template <int N, class T>
+struct completed_contact {
+    std::optional<contact<N, T>> what;
+    stage decided_by;
+};
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr completed_contact<N, T> collide_further(const ball<N, T>& a,
+                                                                               const ball<N, T>& b) {
+    std::optional<contact<N, T>> c;
+    if (!std::is_constant_evaluated() && plain_radii(a.radius, b.radius)) {
+        further_contact r;
+        find_by_words(r, a, b);
+        if (r.what != undecided) {
+            const auto what = static_cast<encounter>(r.what);
+            check_masses(a.mass, b.mass);
+            if (!is_collision(what)) {
+                return {std::nullopt, stage::double_word};
+            }
+            c.emplace();
+            keep_states(*c, what, a, b);
+            constexpr parts of_motion = 0x7fU; // time and positions
+            const parts kept = what == encounter::overlap ? of_motion : 0;
+            const parts certain = kept | round_components(*c, all_parts & ~kept, r.components, r.length, r.velocity);
+            const parts open_parts = open_after(certain, *c, a, b, effective_mass<double>(a.mass, b.mass),
+                                                effective_mass<double>(b.mass, a.mass));
+            if (open_parts != 0) {
+                complete(*c, open_parts, what, a, b);
+            }
+            return {c, open_parts != 0 ? stage::exact : stage::double_word};
+        }
+    }
+    const encounter what = classify_exactly(a, b);
     check_masses(a.mass, b.mass);
     if (!is_collision(what)) {
-        observer(decided_by);
+        return {std::nullopt, stage::exact};
+    }
+    c.emplace();
+    keep_states(*c, what, a, b);
+    complete(*c, all_parts, what, a, b);
+    return {c, stage::exact};
+}
+
+// Components that doubles have left open, of a hit or an overlap. Returns the stage.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] stage complete_further(contact<N, T>& c, parts open_parts, encounter what,
+                                                    const ball<N, T>& a, const ball<N, T>& b) {
+    if (what == encounter::hit) {
+        further_contact r;
+        find_by_words(r, a, b);
+        if (r.what == static_cast<int>(encounter::hit)) {
+            open_parts &= ~round_components(c, open_parts, r.components, r.length, r.velocity);
+        }
+    }
+    if (open_parts == 0) {
+        return stage::double_word;
+    }
+    complete(c, open_parts, what, a, b);
+    return stage::exact;
+}
+
+// The contact of two balls of which the filter is certain what becomes of them: no graze.
+template <int N, class T, class Observer>
+[[nodiscard]] constexpr std::optional<contact<N, T>> contact_of(const filtered_balls& f, const ball<N, T>& a,
+                                                                const ball<N, T>& b, Observer&& observer) {
+    check_masses(a.mass, b.mass);
+    const encounter what = f.what();
+    if (!is_collision(what)) {
+        observer(stage::filter);
         return std::nullopt;
     }
     std::optional<contact<N, T>> c(std::in_place);
-    parts wanted = all_parts;
     if constexpr (has_error_free_doubles) {
-        if (f.certain && rounds_to_nearest()) [[likely]] {
-            wanted = fast_contact(*c, what, a, b, effective_mass<double>(a.mass, b.mass),
-                                  effective_mass<double>(b.mass, a.mass),
-                                  root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
+        if (rounds_to_nearest()) [[likely]] {
+            const parts open_parts = fast_contact(*c, what, a, b, effective_mass<double>(a.mass, b.mass),
+                                                  effective_mass<double>(b.mass, a.mass),
+                                                  root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
+            observer(open_parts == 0 ? stage::filter : complete_further(*c, open_parts, what, a, b));
+            return c;
         }
     }
-    if (wanted == all_parts) {
-        c->velocity_a = a.velocity;
-        c->velocity_b = b.velocity;
-        if (what == encounter::overlap) {
-            c->position_a = with_plain_zeros(a.position);
-            c->position_b = with_plain_zeros(b.position);
-        }
-    }
-    if (wanted != 0) {
-        complete(*c, wanted, what, a, b);
-    }
-    observer(wanted != 0 ? stage::exact : decided_by);
+    keep_states(*c, what, a, b);
+    complete(*c, all_parts, what, a, b);
+    observer(stage::exact);
     return c;
 }
 
@@ -120,13 +193,14 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<contact<N, T>> collide(const ball<N, T>& a, const ball<N, T>& b,
                                                              Observer&& observer = {}) {
-    if (!std::is_constant_evaluated()) {
+    if (!std::is_constant_evaluated() && detail::has_usual_size(a, b)) [[likely]] {
         if (const auto f = detail::filter_balls(a, b); f.certain) [[likely]] {
-            return detail::contact_of(f.what(), stage::filter, f, a, b, observer);
+            return detail::contact_of(f, a, b, observer);
         }
     }
-    const encounter what = detail::classify_exactly(a, b);
-    return detail::contact_of(what, stage::exact, {}, a, b, observer);
+    auto further = detail::collide_further(a, b);
+    observer(further.decided_by);
+    return further.what;
 }
 
 } // namespace graze::inline v0_1

@@ -17,4 +17,16 @@ template <int N, class X, class S>
     return dx_at_contact / R;
 }
 
+// dx + du·τ by its parts across du and along it, which do not cancel however far away the balls start: with τ = (-h -
+// √D)/a it is (du × (dx × du))/a - (√D/a) du. cross: (dx × du)/a, root: √D/a.
+template <class U, class X, class W>
+[[nodiscard]] constexpr auto separation_at_contact(const vec<3, U>& du, const vec<3, X>& cross, const W& root) {
+    return graze::cross(du, cross) - root * du;
+}
+template <class U, class X, class W>
+[[nodiscard]] constexpr auto separation_at_contact(const vec<2, U>& du, const X& cross, const W& root) {
+    const auto first = du[1] * cross - root * du[0];
+    return vec<2, std::remove_cvref_t<decltype(first)>>{{first, -(du[0] * cross) - root * du[1]}};
+}
+
 } // namespace graze::inline v0_1

@@ -98,6 +98,10 @@ template <int N>
     return refine_scaled(a, b);
 }
 template <int N>
+[[nodiscard]] constexpr const ball<N, double>& in_doubles(const ball<N, double>& b) noexcept {
+    return b;
+}
+template <int N>
 [[nodiscard, gnu::always_inline]] inline ball<N, double> in_doubles(const ball<N, float>& b) noexcept {
     return {rounded(wide(b.position)), rounded(wide(b.velocity)), static_cast<double>(as_stored(b.radius))};
 }

@@ -1,0 +1,121 @@
+// Contacts in double words against the oracle: what they decide is right, no component is further from the exact one
+// than its bound, with fused products and without, and no time further than its own.
+#include "bounds.hpp"
+
+#include <graze/contact/word_contact.hpp>
+
+#include <families/families.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace bounds;
+
+namespace {
+
+struct seen {
+    int pairs = 0, decided = 0, meet = 0, bounded = 0, narrow = 0, wrong = 0, wrong_bounds = 0;
+};
+
+// 2^power, exactly.
+mpq_class power_of_two(int power) {
+    mpz_class z;
+    mpz_ui_pow_ui(z.get_mpz_t(), 2, static_cast<unsigned long>(std::abs(power)));
+    return power < 0 ? mpq_class(1) / mpq_class(z) : mpq_class(z);
+}
+bool holds(const graze::detail::bounded<double>& x, int scale, const oracle::surd& truth) {
+    if (!std::isfinite(x.high) || !std::isfinite(x.low) || !std::isfinite(x.error)) {
+        return true; // bounds nothing, and is never certain
+    }
+    const mpq_class unit = power_of_two(scale);
+    const mpq_class middle = (exact(x.high) + exact(x.low)) * unit, off = exact(x.error) * unit;
+    return oracle::compare(truth, mpq_class(middle + off)) <= 0 && oracle::compare(truth, mpq_class(middle - off)) >= 0;
+}
+
+template <int N>
+void judge(seen& s, const graze::detail::further_contact& r, const oracle::answer& met,
+           const std::array<oracle::surd, components>& truth) {
+    if (r.what == graze::detail::undecided) {
+        return;
+    }
+    ++s.decided;
+    s.wrong += r.what == static_cast<int>(met.what) ? 0 : 1;
+    const bool hit = met.what == oracle::encounter::hit;
+    if (!hit && met.what != oracle::encounter::overlap) {
+        return;
+    }
+    s.bounded += r.components.known != 0 ? 1 : 0;
+    bool narrow = true;
+    for (int number = 0; number < static_cast<int>(components); ++number) {
+        const bool is_component = number == 0 || (number - 1) % 3 < N;
+        if (is_component && (r.components.known >> number & 1U) != 0) {
+            const auto& x = r.components.found[number];
+            const int scale = number == 0   ? r.length - r.velocity
+                              : number < 7  ? r.length
+                              : number < 10 ? 0
+                                            : r.velocity;
+            s.wrong_bounds += holds(x, scale, truth[static_cast<std::size_t>(number)]) ? 0 : 1;
+            narrow = narrow && (number > 9 || number < 7 || x.error < 0x1p-70);
+        }
+    }
+    s.narrow += r.components.known != 0 && narrow ? 1 : 0;
+}
+
+template <int N>
+void look(seen& s, const graze::ball<N, double>& a, const graze::ball<N, double>& b) {
+    if (!is_finite(a) || !is_finite(b) || (std::isinf(a.mass) && std::isinf(b.mass)) || !(a.radius >= 0) ||
+        !(b.radius >= 0)) {
+        return;
+    }
+    ++s.pairs;
+    const auto met = oracle::meet(a, b);
+    const bool meet = met.what == oracle::encounter::hit || met.what == oracle::encounter::overlap;
+    std::array<oracle::surd, components> truth{};
+    if (meet) {
+        ++s.meet;
+        const auto inverse = [](double mass) {
+            return std::isinf(mass) ? mpq_class(0) : mpq_class(1) / mpq_class(mass);
+        };
+        truth = listed(oracle::contact(a, b, inverse(a.mass), inverse(b.mass), met));
+    }
+    const bool heavy_a = std::isinf(a.mass), heavy_b = std::isinf(b.mass);
+    const double mass_a = heavy_a ? 1 : heavy_b ? 0 : a.mass, mass_b = heavy_b ? 1 : heavy_a ? 0 : b.mass;
+    graze::detail::further_contact r;
+    graze::detail::find_further_contact(r, a, b, mass_a, mass_b);
+    judge<N>(s, r, met, truth);
+    graze::detail::further_contact unfused;
+    const auto answer = graze::detail::contact_in_words<N>{unfused.components, a, b, mass_a, mass_b}(std::false_type{});
+    unfused.what = answer.in_range ? answer.what : graze::detail::undecided;
+    judge<N>(s, unfused, met, truth);
+    const graze::detail::further_time t = graze::detail::find_further_time(a, b);
+    s.wrong += t.what == r.what ? 0 : 1;
+    if (t.what == static_cast<int>(graze::encounter::hit) && t.good) {
+        s.wrong_bounds += holds(t.time, t.unit, truth[0]) ? 0 : 1;
+    }
+}
+
+} // namespace
+
+TEST_CASE("bounds hold in double words") {
+    for (const families::family& f : families::all_families) {
+        CAPTURE(f.name);
+        seen s;
+        for (std::uint64_t i = 0; i < 300; ++i) {
+            if (const auto flat = f.draw<2>(13, i); flat.kind == families::pair_kind::ball_ball) {
+                look(s, flat.a, flat.b);
+            }
+            if (const auto solid = f.draw<3>(13, i); solid.kind == families::pair_kind::ball_ball) {
+                look(s, solid.a, solid.b);
+            }
+        }
+        CHECK(s.wrong == 0);
+        CHECK(s.wrong_bounds == 0);
+        if (graze::detail::has_error_free_doubles &&
+            (f.name == "far" || f.name == "near_contact" || f.name == "generic")) {
+            CHECK(s.decided == 2 * s.pairs);
+            CHECK(s.bounded == 2 * s.meet);
+            CHECK(s.narrow > s.bounded * 9 / 10);
+        }
+        MESSAGE(f.name << ": " << s.pairs << " pairs twice, " << s.decided << " decided, " << s.bounded << " of "
+                       << 2 * s.meet << " bounded, " << s.narrow << " narrowly");
+    }
+}
