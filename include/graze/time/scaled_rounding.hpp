@@ -2,7 +2,9 @@
 #pragma once
 
 #include <graze/exact/approximate.hpp>
+#include <graze/exact/binary.hpp>
 #include <graze/exact/round_leading.hpp>
+#include <graze/filter/static_filter.hpp>
 #include <graze/machine/fence.hpp>
 #include <graze/time/rounding_test.hpp>
 
