@@ -54,4 +54,28 @@ constexpr bool speed_of_approach() {
 static_assert(unit_normal<2>() && unit_normal<3>());
 static_assert(speed_of_approach<2>() && speed_of_approach<3>());
 
+// By its parts across Δu and along it the difference at τ is the same, with τ = (-h - √D)/a.
+template <int N>
+constexpr bool same_by_parts() {
+    const impact<N> i;
+    const function a = coefficient_a{}(i.m);
+    const auto difference = position_at(i.m.dx, i.m.du, (-coefficient_h{}(i.m) - i.S) / a);
+    const auto over_a = [&] {
+        const auto product = cross(i.m.dx, i.m.du);
+        if constexpr (N == 2) {
+            return product / a;
+        } else {
+            return vec<3, function>{{product[0] / a, product[1] / a, product[2] / a}};
+        }
+    }();
+    const auto parts = separation_at_contact(i.m.du, over_a, i.S / a);
+    for (int k = 0; k < N; ++k) {
+        if (!i.is_zero(parts[k] - difference[k])) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(same_by_parts<2>() && same_by_parts<3>());
+
 } // namespace

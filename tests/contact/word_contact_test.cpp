@@ -2,7 +2,8 @@
 // than its bound, with fused products and without, and no time further than its own.
 #include "bounds.hpp"
 
-#include <graze/contact/word_contact.hpp>
+#include <graze/contact/collide_balls.hpp>
+#include <graze/time/time_of_shapes.hpp>
 
 #include <families/families.hpp>
 
@@ -118,4 +119,34 @@ TEST_CASE("bounds hold in double words") {
         MESSAGE(f.name << ": " << s.pairs << " pairs twice, " << s.decided << " decided, " << s.bounded << " of "
                        << 2 * s.meet << " bounded, " << s.narrow << " narrowly");
     }
+}
+
+TEST_CASE("the widest stage of a time and of a contact") {
+    using graze::stage;
+    const auto at = [](double x, double y, double u, double unit = 1) {
+        return graze::ball<2>{{x * unit, y * unit}, {u, 0}, unit};
+    };
+    const auto expect = [](stage of_time, stage of_contact, const graze::ball<2>& a, const graze::ball<2>& b) {
+        int told = 0;
+        auto by = stage::exact;
+        const auto tell = [&](stage s) {
+            by = s;
+            ++told;
+        };
+        (void)graze::time_of_impact(a, b, tell);
+        CHECK(by == of_time);
+        (void)graze::collide(a, b, tell);
+        CHECK(by == of_contact);
+        CHECK(told == 2); // once a call
+    };
+    const auto rest = at(0, 0, 0);
+    expect(stage::filter, stage::filter, at(5, 0.3, -1), rest);
+    expect(stage::filter, stage::filter, at(5, 0.3, 1), rest);                 // parting
+    expect(stage::double_word, stage::double_word, at(0x1p40, 1.1, -1), rest); // far: L²V² is 2^80
+    expect(stage::double_word, stage::double_word, at(0x1p40, 2.1, -1), rest);
+    expect(stage::double_word, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1), rest);
+    expect(stage::double_word, stage::double_word, at(0x1p20, 2 + 0x1p-20, -1), rest);
+    expect(stage::double_word, stage::double_word, at(5, 0.3, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
+    expect(stage::exact, stage::exact, at(5, 2, -1), rest); // a tie
+    expect(stage::exact, stage::exact, at(5, 2, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
 }
