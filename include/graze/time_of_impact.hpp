@@ -3,3 +3,4 @@
 
 #include <graze/time/time_of_flights.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>

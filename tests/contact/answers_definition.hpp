@@ -5,6 +5,7 @@
 
 #include <graze/collide.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 namespace answers {
 

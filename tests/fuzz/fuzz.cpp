@@ -6,6 +6,7 @@
 
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include <graze/predicate/classify_numbers.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <cstdint>
 #include <limits>

@@ -4,6 +4,7 @@
 #include "../soak/more_families.hpp"
 
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <doctest/doctest.h>
 

@@ -54,15 +54,20 @@ constexpr void forget_rest_in(magnitudes& s) noexcept {
     s.velocity = std::bit_cast<std::uint64_t>(s.velocity) == 0 ? 1 : s.velocity;
 }
 
-// The sign of F for a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.
-template <class Bounds, class F, class M>
-[[nodiscard]] constexpr int filtered_sign(F f, const M& motion, const magnitudes& s) noexcept {
+// The bound of F.
+template <class Bounds, class F>
+[[nodiscard, gnu::always_inline]] constexpr inline double scaled_bound(const magnitudes& s) noexcept {
     constexpr double k = filter_constant(F{}, Bounds::value());
     constexpr error_bound::degrees d = filter_degrees(F{}, Bounds::value());
     static_assert(d[0] <= 12 && d[1] <= 4 && d[2] <= 10 && 50 * (d[0] + d[1] + d[2]) <= 800,
                   "outside the range that usable() checks");
-    return certain_sign(f(motion),
-                        k * (power_of<d[0]>(s.length) * power_of<d[1]>(s.velocity) * power_of<d[2]>(s.normal)));
+    return k * (power_of<d[0]>(s.length) * power_of<d[1]>(s.velocity) * power_of<d[2]>(s.normal));
+}
+
+// The sign of F for a motion in doubles, or `open`. Bounds is a type whose value() is the same motion in error_bound.
+template <class Bounds, class F, class M>
+[[nodiscard]] constexpr int filtered_sign(F f, const M& motion, const magnitudes& s) noexcept {
+    return certain_sign(f(motion), scaled_bound<Bounds, F>(s));
 }
 
 } // namespace graze::inline v0_1::detail

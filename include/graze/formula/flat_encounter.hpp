@@ -104,6 +104,11 @@ class flat_decision {
     }
     [[nodiscard]] constexpr flat_answer operator()() const { return with_feature(what()); }
 
+    // The numbers of the edge or the corner that was found.
+    [[nodiscard]] constexpr flat_edge<T> numbers_of(const flat_answer& found) const {
+        return seen_from_feature({found.where, found.index});
+    }
+
     // Whether the centre is nearer than r now; negative if it is, open_sign if that is not certain.
     [[nodiscard]] constexpr int clearance() const {
         const int of_plane = judge_(way_clearance{}, way_);

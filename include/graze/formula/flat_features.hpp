@@ -241,6 +241,12 @@ struct flat_touch {
     T length, facing, r;
     std::array<T, N - 1> at, pull;
 };
+struct touch_length {
+    template <class W>
+    [[nodiscard]] constexpr auto operator()(const W& x) const {
+        return x.length;
+    }
+};
 struct touch_inside {
     int k = 1;
     bool is_triangle = true;
@@ -325,6 +331,13 @@ struct border_discriminant {
     template <class E>
     [[nodiscard]] constexpr auto operator()(const E& x) const {
         return x.r * x.r * border_a{}(x)-x.inside * x.inside;
+    }
+};
+// D itself.
+struct border_whole_discriminant {
+    template <class E>
+    [[nodiscard]] constexpr auto operator()(const E& x) const {
+        return x.dd * border_discriminant{}(x);
     }
 };
 // h, c and D of the corner.

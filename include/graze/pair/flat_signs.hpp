@@ -116,6 +116,9 @@ struct filtered_judge {
     static constexpr bool has_roots = true;
     magnitudes scales;
 
+    [[nodiscard]] constexpr double root_error() const noexcept {
+        return error(touch_length{}, flat_touch<N, double>{});
+    }
     // Not where the compiler has put a worse estimate in the place of the root.
     [[nodiscard]] constexpr bool root(double x, double& y) const noexcept {
         y = number_traits<double>::sqrt(x);
@@ -128,6 +131,11 @@ struct filtered_judge {
             return bounds_like<flat_bounds<N, T>>(static_cast<const X*>(nullptr));
         }
     };
+    // How far F(x) may be from the exact number.
+    template <class F, class X>
+    [[nodiscard]] constexpr double error(F, const X&) const noexcept {
+        return scaled_bound<bounds<X>, F>(scales);
+    }
     template <class F, class X>
     [[nodiscard, gnu::always_inline]] constexpr int operator()(F f, const X& x) const noexcept {
         return filtered_sign<bounds<X>>(f, x, scales);

@@ -30,23 +30,36 @@ template <int N, class T, class Shape>
     return found;
 }
 
+// The first stage: the pair in doubles, and what is certain of it.
+template <int N, class T>
+struct filtered_flat {
+    flat_motion<N, double> motion;
+    filtered_judge<N, T> judge;
+    bool in_range;
+
+    template <class Shape>
+    [[gnu::always_inline]] constexpr filtered_flat(const ball<N, T>& b, const Shape& shape) noexcept
+        : motion(rounded_flat_motion(b, shape.corner, shape.edge, is_triangle(shape))), judge{magnitudes_of(motion)},
+          in_range(usable<T>(judge.scales) && plain_radii(b.radius, b.radius)) {}
+};
+
 // by: the stage that decided.
 template <flat_question Question, int N, class T, class Shape>
 [[nodiscard]] constexpr flat_answer decide_flat(const ball<N, T>& b, const Shape& shape, stage& by) {
     by = stage::filter;
     if (!std::is_constant_evaluated() || is_moderate(b, wall<N, T>{shape.corner, shape.edge})) {
-        const auto m = rounded_flat_motion(b, shape.corner, shape.edge, is_triangle(shape));
-        filtered_judge<N, T> judge{magnitudes_of(m)};
+        filtered_flat<N, T> f(b, shape);
         if constexpr (Question == flat_question::clearance) {
-            forget_rest_in(judge.scales);
+            forget_rest_in(f.judge.scales);
+            f.in_range = usable<T>(f.judge.scales) && plain_radii(b.radius, b.radius);
         }
-        if (usable<T>(judge.scales) && plain_radii(b.radius, b.radius)) [[likely]] {
+        if (f.in_range) [[likely]] {
             if constexpr (Question != flat_question::clearance) {
-                if (const flat_answer found = from_afar(m, judge); found.certain) {
+                if (const flat_answer found = from_afar(f.motion, f.judge); found.certain) {
                     return found;
                 }
             }
-            if (const flat_answer found = answer_of(m, judge, Question); found.certain) [[likely]] {
+            if (const flat_answer found = answer_of(f.motion, f.judge, Question); found.certain) [[likely]] {
                 return found;
             }
         }

@@ -5,6 +5,7 @@
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/meeting.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <optional>
 #include <stdexcept>

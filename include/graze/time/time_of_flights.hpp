@@ -4,6 +4,7 @@
 #include <graze/predicate/classify_flights.hpp>
 #include <graze/time/fast_plane_time.hpp>
 #include <graze/time/flight_time.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <optional>
 

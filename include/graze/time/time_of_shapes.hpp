@@ -2,7 +2,6 @@
 #pragma once
 
 #include <graze/predicate/classify_balls.hpp>
-#include <graze/predicate/classify_walls.hpp>
 #include <graze/time/further_time.hpp>
 #include <graze/time/impact_time.hpp>
 
@@ -142,34 +141,6 @@ time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {
     auto further = detail::time_of_impact_further(a, b);
     observer(further.decided_by);
     return further.time;
-}
-
-// The exact time at which a ball touches a plane first; empty when it recedes. Throws as classify does.
-template <int N, class T, class Observer = ignore_stage>
-requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const plane<N, T>& p,
-                                                                        Observer&& observer = {}) {
-    const encounter what = classify(b, p, observer);
-    if (!is_collision(what)) {
-        return std::nullopt;
-    }
-    return detail::enclosed_exactly(detail::event<N, T>(detail::ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0,
-                                                        what == encounter::overlap));
-}
-
-// The exact time at which a ball touches a wall's face, edge or corner first; empty for recede and miss. Throws as
-// classify does.
-template <int N, class T, class Observer = ignore_stage>
-requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const wall<N, T>& w,
-                                                                        Observer&& observer = {}) {
-    const wall_encounter found = detail::decide_wall(b, w, observer);
-    if (!is_collision(found.what)) {
-        return std::nullopt;
-    }
-    return detail::enclosed_exactly(detail::event<N, T>(detail::ball_and_wall<N>{}, b, w,
-                                                        detail::kind_of<N>(found.where), found.index,
-                                                        found.what == encounter::overlap));
 }
 
 } // namespace graze::inline v0_1

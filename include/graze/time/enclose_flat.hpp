@@ -1,0 +1,87 @@
+// When a ball touches a plane, a wall or a triangle, in doubles with a bound on the error, from what decided that it
+// does.
+#pragma once
+
+#include <graze/predicate/decide_flat.hpp>
+#include <graze/time/enclosure.hpp>
+
+namespace graze::inline v0_1::detail {
+
+// Around τ = (|w·n| - r|n|)/|u·n| of a ball that certainly touches the plane at a later time, from values whose errors
+// are at most those given; r is exact. Unknown where the doubles leave it open.
+//
+// u = 2^-52, in any rounding mode, contracted or not. gap = |w·n| - r|n| is off by error_height + r error_length and
+// the roundings of r|n| and of the difference, u r|n| + u gap. The quotient t̂ is checked: |t̂ |u·n| - gap| <= 2^-50 gap.
+// With e = error_speed <= |u·n|/8 the time is within
+//   (error_height + r error_length + u r|n| + 2^-49 gap + t̂ e)/(|u·n| - e) <= 8/7 (... )/|u·n|,
+// in which 2^-49 gap <= 2^-48 t̂ |u·n|; 3/2 of all but this term, and 2^-47 t̂, cover the roundings of the expression
+// itself.
+[[nodiscard]] inline enclosure enclose_touch(double height, double speed, double length, double r, double error_height,
+                                             double error_speed, double error_length) noexcept {
+    const double rate = std::fabs(speed);
+    const double reach = r * length;
+    const double gap = fence(std::fabs(height) - reach);
+    const double time = fence(gap / rate);
+    const bool good = std::fabs(time * rate - gap) <= 0x1p-50 * gap && rate > 8 * error_speed && gap > 0;
+    if (!good) {
+        return {};
+    }
+    const double off = error_height + r * error_length + 0x1p-52 * reach + time * error_speed;
+    return {time, 1.5 * off / rate + 0x1p-47 * time};
+}
+
+// The same, of a ball that does not touch now but is certain to, from what is known of the plane.
+template <int N, class T>
+[[nodiscard]] inline enclosure enclose_touch(const filtered_plane<N, T>& f) noexcept {
+    const double length = plain_sqrt(f.square);
+    if (!(std::fabs(length * length - f.square) <= 0x1p-50 * f.square)) {
+        return {};
+    }
+    // n is exact but for 64-bit integers: the squares and their sum are right to 3u + 2u for each component's rounding.
+    constexpr double of_length = (is_wide_integer<T> ? 8 : 4) * error_bound::unit;
+    return enclose_touch(f.height, f.speed, length, f.motion.r, f.height_error * f.size,
+                         f.speed_error * (f.scales.velocity * f.scales.normal), of_length * length);
+}
+
+// Around the smaller root τ = c/(-h + √D), as enclose() in enclosure.hpp with the sharper e that stands there before
+// its last step: 7/6 (error_c + t̂ error_root/ŝ)/d̂ + 2^-46 t̂.
+[[nodiscard]] inline enclosure enclose_root(double c, double h, double discriminant, double error_c, double error_h,
+                                            double error_d) noexcept {
+    const double root = fence(plain_sqrt(discriminant));
+    const double error_root = error_d + error_h * root;
+    const double denominator = fence(root - h);
+    const double time = fence(root_stable{}(c, h, root));
+    if (!(discriminant > 8 * error_root && c > 0 && h < 0 &&
+          std::fabs(root * root - discriminant) <= 0x1p-48 * discriminant &&
+          std::fabs(time * denominator - c) <= 0x1p-48 * c)) {
+        return {};
+    }
+    return {time, 1.5 * (error_c + time * error_root / root) / denominator + 0x1p-45 * time};
+}
+
+// Of a certain hit on a feature.
+template <int N, class T>
+[[nodiscard]] inline enclosure enclose_hit(const filtered_flat<N, T>& f, const flat_way<N, double>& way,
+                                           const flat_answer& found) noexcept {
+    const auto& judge = f.judge;
+    if (found.where == feature::face) {
+        double length = 0;
+        return judge.root(way.nn, length)
+                   ? enclose_touch(way.height, way.speed, length, way.r, judge.error(way_height{}, way),
+                                   judge.error(way_speed{}, way), judge.root_error())
+                   : enclosure{};
+    }
+    const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, judge);
+    const flat_edge<double> x = decision.numbers_of(found);
+    if constexpr (N == 3) {
+        if (found.where == feature::edge) {
+            return enclose_root(border_c{}(x), border_h{}(x), border_whole_discriminant{}(x),
+                                judge.error(border_c{}, x), judge.error(border_h{}, x),
+                                judge.error(border_whole_discriminant{}, x));
+        }
+    }
+    return enclose_root(corner_c{}(x), corner_h{}(x), corner_discriminant{}(x), judge.error(corner_c{}, x),
+                        judge.error(corner_h{}, x), judge.error(corner_discriminant{}, x));
+}
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,117 @@
+// When a ball meets a plane or a wall first, if it does.
+#pragma once
+
+#include <graze/predicate/classify_walls.hpp>
+#include <graze/time/enclose_flat.hpp>
+#include <graze/time/time_of_shapes.hpp>
+
+#include <optional>
+
+namespace graze::inline v0_1 {
+
+namespace detail {
+
+template <int N>
+[[nodiscard]] constexpr event_kind kind_of(const flat_answer& found) noexcept {
+    return kind_of<N>(found.where);
+}
+
+// The time of an event of which nothing is known but that it is one: by double words, or by its exact quadratic.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr impact_time<N, T> enclosed_slowly(const event<N, T>& e, encounter what) {
+    if constexpr (is_rounded_by_doubles<T>) {
+        if (!std::is_constant_evaluated() && what == encounter::hit && rounds_to_nearest()) {
+            const bounded<double> t = as_bounds(hit_time(e));
+            const double error = absolute(t.low) + t.error + 0x1p-49 * absolute(t.high);
+            if (t.high > 0x1p-300 && error < 0x1p-20 * t.high) {
+                return impact_time<N, T>(impact_time_key{}, enclosure{t.high, error}, e);
+            }
+        }
+    }
+    return enclosed_exactly(e);
+}
+
+template <int N, class T>
+[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>>
+time_of_plane_slowly(const ball<N, T>& b, const plane<N, T>& p, encounter what) {
+    return enclosed_slowly(event<N, T>(ball_and_plane<N>{}, b, p, event_kind::plane, 0, what == encounter::overlap),
+                           what);
+}
+
+template <int N, class T>
+[[nodiscard]] constexpr event<N, T> event_of(const ball<N, T>& b, const wall<N, T>& w, const flat_answer& found) {
+    return event<N, T>(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), found.index,
+                       found.what == encounter::overlap);
+}
+template <int N, class T, class Shape>
+[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>>
+time_of_flat_slowly(const ball<N, T>& b, const Shape& w, const flat_answer& found) {
+    return enclosed_slowly(event_of(b, w, found), found.what);
+}
+
+} // namespace detail
+
+// The exact time at which a ball touches a plane first; empty when it recedes. Throws as classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const plane<N, T>& p,
+                                                                        Observer&& observer = {}) {
+    if (std::is_constant_evaluated()) {
+        const encounter what = classify(b, p, observer);
+        return is_collision(what) ? detail::time_of_plane_slowly(b, p, what) : std::nullopt;
+    }
+    stage by = stage::filter;
+    const detail::filtered_plane<N, T> f(b, p);
+    const encounter what = detail::decide_plane(f, b, p, by);
+    observer(by);
+    if (!is_collision(what)) {
+        return std::nullopt;
+    }
+    if (by == stage::filter && what == encounter::hit) [[likely]] {
+        if (const auto bounds = detail::enclose_touch(f); bounds.is_known()) [[likely]] {
+            return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
+                                                    detail::ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0,
+                                                    false);
+        }
+    }
+    return detail::time_of_plane_slowly(b, p, what);
+}
+
+// The exact time at which a ball touches a wall's face, edge or corner first; empty for recede and miss. Throws as
+// classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const wall<N, T>& w,
+                                                                        Observer&& observer = {}) {
+    if (!std::is_constant_evaluated()) {
+        const detail::filtered_flat<N, T> f(b, w);
+        if (f.in_range) [[likely]] {
+            if (const flat_answer found = from_afar(f.motion, f.judge); found.certain) {
+                observer(stage::filter);
+                return std::nullopt;
+            }
+            const auto way = way_of(f.motion);
+            const flat_decision<N, double, detail::filtered_judge<N, T>> decision(f.motion, way, f.judge);
+            if (const flat_answer found = decision(); found.certain) [[likely]] {
+                observer(stage::filter);
+                if (!is_collision(found.what)) {
+                    return std::nullopt;
+                }
+                if (found.what == encounter::hit) {
+                    if (const auto bounds = detail::enclose_hit(f, way, found); bounds.is_known()) [[likely]] {
+                        return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
+                                                                detail::ball_and_wall<N>{}, b, w,
+                                                                detail::kind_of<N>(found.where), found.index, false);
+                    }
+                }
+                return detail::time_of_flat_slowly(b, w, found);
+            }
+        }
+    }
+    stage by = stage::filter;
+    const flat_answer found = detail::decide_flat_slowly(b, w, detail::flat_question::feature, by);
+    observer(by);
+    return is_collision(found.what) ? detail::time_of_flat_slowly(b, w, found) : std::nullopt;
+}
+
+} // namespace graze::inline v0_1
