@@ -86,6 +86,10 @@ struct clock_of_flight {
     [[nodiscard]] bounded_word operator()(const bounded_word& time) const noexcept {
         return time + bounded_word(static_cast<double>(since));
     }
+    [[nodiscard]] bounded<double> operator()(const bounded<double>& time) const noexcept {
+        const auto sum = two_sum(static_cast<double>(since), time.high);
+        return {sum.value, sum.error + time.low, 1.01 * time.error + 0x1p-104 * absolute(sum.value)};
+    }
     // Rounds the time, if it is wanted, and returns what is left.
     template <class P, int N, class Shape>
     [[nodiscard]] constexpr parts without_time(wall_contact<N, T>& c, parts wanted, const wall_encounter& found, P pair,
@@ -122,10 +126,11 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const plane<N, T>& p,
                                                                   Observer&& observer = {}) {
-    auto decided_by = stage::filter;
-    const encounter what = classify(f, p, [&](stage s) { decided_by = s; });
-    return detail::contact_of(detail::ball_and_plane<N>{}, {what, feature::face, 0}, decided_by, f.state, p, observer,
-                              detail::clock_of_flight<T>{f.since});
+    detail::check(f, "flight");
+    stage by{};
+    const auto met = detail::meet_flat(f.state, p, by);
+    return detail::contact_of(detail::ball_and_plane<N>{}, {met.found.what, feature::face, 0}, by, f.state, p, observer,
+                              detail::clock_of_flight<T>{f.since}, met.bounds.near);
 }
 
 // The contact of a flight and a wall, at its face, an edge or a corner, whichever is met first.
@@ -134,10 +139,10 @@ requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const wall<N, T>& w,
                                                                   Observer&& observer = {}) {
     detail::check(f, "flight");
-    auto decided_by = stage::filter;
-    const wall_encounter found = detail::decide_wall(f.state, w, [&](stage s) { decided_by = s; });
-    return detail::contact_of(detail::ball_and_wall<N>{}, found, decided_by, f.state, w, observer,
-                              detail::clock_of_flight<T>{f.since});
+    stage by{};
+    const auto met = detail::meet_flat(f.state, w, by);
+    return detail::contact_of(detail::ball_and_wall<N>{}, {met.found.what, met.found.where, met.found.index}, by,
+                              f.state, w, observer, detail::clock_of_flight<T>{f.since}, met.bounds.near);
 }
 
 } // namespace graze::inline v0_1

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <graze/contact/fast_wall.hpp>
+#include <graze/contact/flat_contact.hpp>
 #include <graze/contact/round_walls.hpp>
-#include <graze/predicate/classify_walls.hpp>
+#include <graze/machine/fused.hpp>
+#include <graze/time/enclose_flat.hpp>
 
 #include <concepts>
 #include <optional>
@@ -43,6 +45,7 @@ template <class P, int N, class T, class Shape>
 // Times as they come, from the instant of the positions.
 struct own_clock {
     [[nodiscard]] bounded_word operator()(const bounded_word& time) const noexcept { return time; }
+    [[nodiscard]] bounded<double> operator()(const bounded<double>& time) const noexcept { return time; }
     // What is left to be rounded by integers.
     template <class... Pair>
     [[nodiscard]] constexpr parts without_time(auto&, parts wanted, const Pair&...) const noexcept {
@@ -50,11 +53,24 @@ struct own_clock {
     }
 };
 
-// The contact of a ball for which it has been decided what becomes of it.
+// Fills in what doubles and double words are certain of, for a pair that meets near `time` if that is not 0.
+template <class P, int N, class T, class Shape, class Clock>
+[[nodiscard]] parts contact_by_words(P pair, wall_contact<N, T>& c, encounter what, int index, const ball<N, T>& b,
+                                     const Shape& shape, double time, const Clock& clock) noexcept {
+    parts wanted = all_parts;
+    if (time > 0) {
+        const auto row = packed<P>(b, shape);
+        const auto kind = std::is_same_v<P, ball_and_plane<N>> ? event_kind::plane : kind_of<N>(c.feature);
+        wanted = with_best_products(flat_contact_near<N, T, Clock>{&c, kind, index, row.data(), time, &clock});
+    }
+    return wanted == 0 ? wanted : wanted & fast_wall(pair, c, what, index, b, shape, clock);
+}
+
+// The contact of a ball for which it has been decided what becomes of it, near `time` if that is not 0.
 template <class P, int N, class T, class Shape, class Observer, class Clock = own_clock>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>>
 contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, T>& b, const Shape& shape,
-           Observer&& observer, const Clock& clock = {}) {
+           Observer&& observer, const Clock& clock = {}, double time = 0) {
     if (!is_collision(found.what)) {
         observer(decided_by);
         return std::nullopt;
@@ -68,7 +84,7 @@ contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, 
     parts wanted = all_parts;
     if constexpr (has_error_free_doubles) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
-            wanted = fast_wall(pair, *c, found.what, found.index, b, shape, clock);
+            wanted = contact_by_words(pair, *c, found.what, found.index, b, shape, time, clock);
         }
     }
     if (wanted != 0) {
@@ -87,9 +103,10 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const ball<N, T>& b, const plane<N, T>& p,
                                                                   Observer&& observer = {}) {
-    auto decided_by = stage::filter;
-    const encounter what = classify(b, p, [&](stage s) { decided_by = s; });
-    return detail::contact_of(detail::ball_and_plane<N>{}, {what, feature::face, 0}, decided_by, b, p, observer);
+    stage by{};
+    const auto met = detail::meet_flat(b, p, by);
+    return detail::contact_of(detail::ball_and_plane<N>{}, {met.found.what, feature::face, 0}, by, b, p, observer,
+                              detail::own_clock{}, met.bounds.near);
 }
 
 // The contact of a ball and a wall, at its face, an edge or a corner, whichever is met first; empty for recede and
@@ -98,9 +115,10 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const ball<N, T>& b, const wall<N, T>& w,
                                                                   Observer&& observer = {}) {
-    auto decided_by = stage::filter;
-    const wall_encounter found = detail::decide_wall(b, w, [&](stage s) { decided_by = s; });
-    return detail::contact_of(detail::ball_and_wall<N>{}, found, decided_by, b, w, observer);
+    stage by{};
+    const auto met = detail::meet_flat(b, w, by);
+    return detail::contact_of(detail::ball_and_wall<N>{}, {met.found.what, met.found.where, met.found.index}, by, b, w,
+                              observer, detail::own_clock{}, met.bounds.near);
 }
 
 } // namespace graze::inline v0_1

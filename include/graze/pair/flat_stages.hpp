@@ -72,11 +72,10 @@ struct scaled_group {
         int lowest = 5000;
         for (std::size_t i = 0; i < count; ++i) {
             const double x = static_cast<double>(row[i]);
-            const binary parts = split(x);
-            if (parts.significand != 0) {
-                const auto size =
-                    static_cast<std::uint64_t>(parts.significand < 0 ? -parts.significand : parts.significand);
-                const int exponent = parts.exponent + static_cast<int>(std::bit_width(size));
+            const binary b = split(x);
+            if (b.significand != 0) {
+                const auto size = static_cast<std::uint64_t>(b.significand < 0 ? -b.significand : b.significand);
+                const int exponent = b.exponent + static_cast<int>(std::bit_width(size));
                 highest = std::max(highest, exponent);
                 lowest = std::min(lowest, exponent);
             }

@@ -2,7 +2,7 @@
 // does.
 #pragma once
 
-#include <graze/predicate/decide_flat.hpp>
+#include <graze/predicate/classify_walls.hpp>
 #include <graze/time/enclosure.hpp>
 
 namespace graze::inline v0_1::detail {
@@ -82,6 +82,44 @@ template <int N, class T>
     }
     return enclose_root(corner_c{}(x), corner_h{}(x), corner_discriminant{}(x), judge.error(corner_c{}, x),
                         judge.error(corner_h{}, x), judge.error(corner_discriminant{}, x));
+}
+
+// What becomes of a pair, and around when; unknown but for a hit of which doubles are certain.
+struct flat_meeting {
+    flat_answer found;
+    enclosure bounds;
+};
+
+// by: the stage that decided.
+template <int N, class T, class Shape>
+[[nodiscard]] constexpr flat_meeting meet_flat(const ball<N, T>& b, const Shape& w, stage& by) {
+    by = stage::filter;
+    if (!std::is_constant_evaluated()) {
+        const filtered_flat<N, T> f(b, w);
+        if (f.in_range) [[likely]] {
+            if (const flat_answer found = from_afar(f.motion, f.judge); found.certain) {
+                return {found, {}};
+            }
+            const auto way = way_of(f.motion);
+            const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, f.judge);
+            if (const flat_answer found = decision(); found.certain) [[likely]] {
+                return {found, found.what == encounter::hit ? enclose_hit(f, way, found) : enclosure{}};
+            }
+        }
+        return {decide_flat_slowly(b, w, flat_question::feature, by), {}};
+    }
+    return {decide_flat<flat_question::feature>(b, w, by), {}};
+}
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_meeting meet_flat(const ball<N, T>& b, const plane<N, T>& p,
+                                                                          stage& by) {
+    by = stage::filter;
+    if (!std::is_constant_evaluated()) {
+        const filtered_plane<N, T> f(b, p);
+        const encounter what = decide_plane(f, b, p, by);
+        return {{true, what}, by == stage::filter && what == encounter::hit ? enclose_touch(f) : enclosure{}};
+    }
+    return {{true, classify(b, p, [&](stage s) { by = s; })}, {}};
 }
 
 } // namespace graze::inline v0_1::detail

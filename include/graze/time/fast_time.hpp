@@ -5,6 +5,7 @@
 #include <graze/machine/fused.hpp>
 #include <graze/time/bounded_time.hpp>
 #include <graze/time/fast_approach.hpp>
+#include <graze/time/flat_time.hpp>
 
 #include <optional>
 #include <type_traits>
@@ -54,7 +55,15 @@ struct time_by_doubles {
 
 // The time of a hit on a plane or a wall. Not inlined, so that the time of balls is.
 template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] std::optional<T> round_fast_hit(const event<N, U>& e, rounding mode) noexcept {
+[[nodiscard, gnu::noinline]] std::optional<T> round_fast_hit(const event<N, U>& e, double time,
+                                                             rounding mode) noexcept {
+    if (time > 0) {
+        if (const flat_time near = with_best_products(flat_time_near<N, U>{&e, time}); near.good) [[likely]] {
+            if (const auto rounded = rounded_without_doubt<T>(near.bounds(), mode)) [[likely]] {
+                return rounded;
+            }
+        }
+    }
     const bounded<double> found = as_bounds(hit_time(e));
     return absolute(found.high) > 0x1p-500 ? rounded_without_doubt<T>(found, mode) : std::nullopt;
 }
@@ -73,7 +82,7 @@ template <class T, int N, class U>
                 return rounded_without_doubt<T>(found.time, mode);
             }
         } else if (e.kind != event_kind::balls && rounds_to_nearest()) {
-            return round_fast_hit<T>(e, mode);
+            return round_fast_hit<T>(e, time, mode);
         }
     }
     return std::nullopt;

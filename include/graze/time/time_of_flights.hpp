@@ -2,7 +2,6 @@
 #pragma once
 
 #include <graze/predicate/classify_flights.hpp>
-#include <graze/time/fast_plane_time.hpp>
 #include <graze/time/flight_time.hpp>
 #include <graze/time/time_of_walls.hpp>
 
@@ -50,6 +49,16 @@ template <int N, class T>
                                                what == encounter::overlap, a.since, b.since));
 }
 
+// The time of an event of a flight and a plane or a wall that happens within the bounds, if these are known, after the
+// flight's since.
+template <int N, class T>
+[[nodiscard]] constexpr flight_time<N, T> with_clock(const flight_event<N, T>& e, const enclosure& bounds) {
+    if (bounds.is_known()) [[likely]] {
+        return flight_time<N, T>(impact_time_key{}, counted_from<T>(static_cast<double>(e.start()), bounds), e);
+    }
+    return enclosed_exactly(e);
+}
+
 } // namespace detail
 
 // The exact time, not before both are on their way, at which two flights touch first; empty for recede and miss, t0 for
@@ -91,19 +100,17 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<flight_time<N, T>> time_of_impact(const flight<N, T>& f, const plane<N, T>& p,
                                                                         Observer&& observer = {}) {
-    const encounter what = classify(f, p, observer);
-    if (!is_collision(what)) {
+    detail::check(f, "flight");
+    stage by{};
+    const auto [found, bounds] = detail::meet_flat(f.state, p, by);
+    observer(by);
+    if (!is_collision(found.what)) {
         return std::nullopt;
     }
-    const detail::flight_event<N, T> e(detail::ball_and_plane<N>{}, f.state, p, detail::event_kind::plane, 0,
-                                       what == encounter::overlap, f.since, f.since);
-    if (!std::is_constant_evaluated() && what == encounter::hit) {
-        if (const auto bounds = detail::enclose_touch(f.state, p); bounds.is_known()) [[likely]] {
-            const auto start = static_cast<double>(detail::as_stored(f.since));
-            return flight_time<N, T>(detail::impact_time_key{}, detail::counted_from<T>(start, bounds), e);
-        }
-    }
-    return detail::enclosed_exactly(e);
+    return detail::with_clock(detail::flight_event<N, T>(detail::ball_and_plane<N>{}, f.state, p,
+                                                         detail::event_kind::plane, 0, found.what == encounter::overlap,
+                                                         f.since, f.since),
+                              bounds);
 }
 
 // The exact time at which a flight touches a wall's face, edge or corner first; empty for recede and miss.
@@ -112,13 +119,16 @@ requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<flight_time<N, T>> time_of_impact(const flight<N, T>& f, const wall<N, T>& w,
                                                                         Observer&& observer = {}) {
     detail::check(f, "flight");
-    const wall_encounter found = detail::decide_wall(f.state, w, observer);
+    stage by{};
+    const auto [found, bounds] = detail::meet_flat(f.state, w, by);
+    observer(by);
     if (!is_collision(found.what)) {
         return std::nullopt;
     }
-    return detail::enclosed_exactly(detail::flight_event<N, T>(detail::ball_and_wall<N>{}, f.state, w,
-                                                               detail::kind_of<N>(found.where), found.index,
-                                                               found.what == encounter::overlap, f.since, f.since));
+    return detail::with_clock(detail::flight_event<N, T>(detail::ball_and_wall<N>{}, f.state, w,
+                                                         detail::kind_of<N>(found), found.index,
+                                                         found.what == encounter::overlap, f.since, f.since),
+                              bounds);
 }
 
 } // namespace graze::inline v0_1

@@ -56,25 +56,17 @@ template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const plane<N, T>& p,
                                                                         Observer&& observer = {}) {
-    if (std::is_constant_evaluated()) {
-        const encounter what = classify(b, p, observer);
-        return is_collision(what) ? detail::time_of_plane_slowly(b, p, what) : std::nullopt;
-    }
-    stage by = stage::filter;
-    const detail::filtered_plane<N, T> f(b, p);
-    const encounter what = detail::decide_plane(f, b, p, by);
+    stage by{};
+    const auto [found, bounds] = detail::meet_flat(b, p, by);
     observer(by);
-    if (!is_collision(what)) {
+    if (!is_collision(found.what)) {
         return std::nullopt;
     }
-    if (by == stage::filter && what == encounter::hit) [[likely]] {
-        if (const auto bounds = detail::enclose_touch(f); bounds.is_known()) [[likely]] {
-            return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
-                                                    detail::ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0,
-                                                    false);
-        }
+    if (bounds.is_known()) [[likely]] {
+        return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
+                                                detail::ball_and_plane<N>{}, b, p, detail::event_kind::plane, 0, false);
     }
-    return detail::time_of_plane_slowly(b, p, what);
+    return detail::time_of_plane_slowly(b, p, found.what);
 }
 
 // The exact time at which a ball touches a wall's face, edge or corner first; empty for recede and miss. Throws as
@@ -83,35 +75,18 @@ template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const wall<N, T>& w,
                                                                         Observer&& observer = {}) {
-    if (!std::is_constant_evaluated()) {
-        const detail::filtered_flat<N, T> f(b, w);
-        if (f.in_range) [[likely]] {
-            if (const flat_answer found = from_afar(f.motion, f.judge); found.certain) {
-                observer(stage::filter);
-                return std::nullopt;
-            }
-            const auto way = way_of(f.motion);
-            const flat_decision<N, double, detail::filtered_judge<N, T>> decision(f.motion, way, f.judge);
-            if (const flat_answer found = decision(); found.certain) [[likely]] {
-                observer(stage::filter);
-                if (!is_collision(found.what)) {
-                    return std::nullopt;
-                }
-                if (found.what == encounter::hit) {
-                    if (const auto bounds = detail::enclose_hit(f, way, found); bounds.is_known()) [[likely]] {
-                        return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
-                                                                detail::ball_and_wall<N>{}, b, w,
-                                                                detail::kind_of<N>(found.where), found.index, false);
-                    }
-                }
-                return detail::time_of_flat_slowly(b, w, found);
-            }
-        }
-    }
-    stage by = stage::filter;
-    const flat_answer found = detail::decide_flat_slowly(b, w, detail::flat_question::feature, by);
+    stage by{};
+    const auto [found, bounds] = detail::meet_flat(b, w, by);
     observer(by);
-    return is_collision(found.what) ? detail::time_of_flat_slowly(b, w, found) : std::nullopt;
+    if (!is_collision(found.what)) {
+        return std::nullopt;
+    }
+    if (bounds.is_known()) [[likely]] {
+        return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
+                                                detail::ball_and_wall<N>{}, b, w, detail::kind_of<N>(found),
+                                                found.index, false);
+    }
+    return detail::time_of_flat_slowly(b, w, found);
 }
 
 } // namespace graze::inline v0_1

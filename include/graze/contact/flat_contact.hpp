@@ -1,0 +1,273 @@
+// The contact of a ball that hits a plane or a face, from its touch in parts, each component with an error.
+//
+// With the notation of time/flat_steps.hpp: κ = N/|n| >= 1, and |n| is right to 2^-97 κ⁴ of itself. The normal n/|n| is
+// then right to 2^-96 κ⁴; u·n/|n| to 2^-96 V κ⁴, V = Σ|u_i|, and the velocity u - 2 (u·n/|n|) n/|n| to 2^-94 V κ⁴.
+#pragma once
+
+#include <graze/contact/contact.hpp>
+#include <graze/contact/parts.hpp>
+#include <graze/time/flat_time.hpp>
+
+namespace graze::inline v0_1::detail {
+
+// Takes numbers and writes those that leave no doubt how they are rounded.
+template <int N, class T>
+class rounded_parts {
+  public:
+    [[gnu::always_inline]] void operator()(const bounded<double>& y, int number, T& to) noexcept {
+        const ends<double> interval = ends_of<T>(bounded<double>{y.high, y.low, y.error + underflow});
+        const bool certain = agree<T>(interval);
+        to = certain ? static_cast<T>(interval.upper) : to;
+        certain_ |= parts{certain} << number;
+    }
+    // x + y, which the machine rounds as we do.
+    [[gnu::always_inline]] void sum(double x, double y, int number, T& to) noexcept {
+        const auto s = two_sum(x, y);
+        if (std::is_same_v<T, double> || s.error == 0) {
+            exact(s.value, number, to);
+        } else {
+            (*this)({s.value, s.error, 0}, number, to);
+        }
+    }
+    // What is exact.
+    [[gnu::always_inline]] void exact(double x, int number, T& to) noexcept {
+        to = with_plain_zero(static_cast<T>(x));
+        certain_ |= parts{1} << number;
+    }
+    [[nodiscard]] parts open_parts() const noexcept { return (N == 3 ? 0x1fffU : 0xdb7U) & ~certain_; }
+
+  private:
+    parts certain_ = 0;
+};
+
+// Whether no product of two of these numbers underflows to a zero.
+template <int N>
+[[nodiscard]] inline bool has_no_tiny_edge(const flat_row<N>& f) noexcept {
+    for (const auto& e : f.edge) {
+        for (int i = 0; i < N; ++i) {
+            if (bits_of(e[i]) << 1 != 0 && absolute(e[i]) < 0x1p-400) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// A ball's path until it touches, in parts: its position, and the errors of what it is added up from.
+template <bool Fused, int N, class T>
+struct path_in_parts {
+    const flat_row<N>& f;
+    const flat_time& t;
+    rounded_parts<N, T>& take;
+
+    struct step {
+        exact_pair<double> position;
+        double size, error; // of its roundings, and of all
+        bool stays;
+    };
+    [[nodiscard, gnu::always_inline]] step at(int i) const noexcept {
+        const auto way = two_product(as_factor<Fused>(f.u[i]), as_factor<Fused>(t.high));
+        const auto sum = two_sum(f.x[i], way.value);
+        const double size = 0x1p-102 * (absolute(f.x[i]) + absolute(way.value));
+        return {{sum.value, sum.error + (way.error + f.u[i] * t.low)},
+                size,
+                size + 1.01 * absolute(f.u[i]) * t.error,
+                bits_of(f.u[i]) << 1 == 0};
+    }
+    [[gnu::always_inline]] void take_position(const step& s, int i, wall_part part, T& to) const noexcept {
+        if (s.stays) {
+            take.exact(f.x[i], static_cast<int>(part) + i, to);
+        } else {
+            take({s.position.value, s.position.error, s.error}, static_cast<int>(part) + i, to);
+        }
+    }
+};
+
+// 1/x, right to 2^-100 of itself beside the error of x.
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline exact_pair<double> inverse_in_parts(const exact_pair<double>& x) noexcept {
+    const double inverse = settled(1 / x.value);
+    const auto back = two_product(as_factor<Fused>(inverse), as_factor<Fused>(x.value));
+    const double rest = settled(settled(1 - back.value) - back.error) - inverse * x.error;
+    return {inverse, inverse * rest};
+}
+[[nodiscard, gnu::always_inline]] inline bool is_exact_zero(const exact_pair<double>& x) noexcept {
+    return x.value == 0 && x.error == 0;
+}
+
+// A plane or a face.
+template <bool Fused, int N, class T>
+[[gnu::always_inline]] inline void take_face_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
+                                                     const face_touch<N>& touch, double V) noexcept {
+    const auto& f = path.f;
+    const auto& n = touch.n;
+    const auto per_length = inverse_in_parts<Fused>({touch.length.high, touch.length.low});
+    const auto phi = product_in_parts<Fused>({2 * touch.speed.value, 2 * touch.speed.error}, per_length);
+    const double spread2 = touch.length.spread * touch.length.spread;
+    const double normal_error = 0x1p-96 * (spread2 * spread2);
+    const bool below = touch.speed.value > 0; // the normal points to where the ball comes from
+    int zeros = 0;
+    for (int i = 0; i < N; ++i) {
+        zeros += is_exact_zero(n[i]) ? 1 : 0;
+    }
+    const bool known_zeros = zeros == 0 || has_no_tiny_edge(f);
+    for (int i = 0; i < N; ++i) {
+        const auto s = path.at(i);
+        const int at_point = static_cast<int>(wall_part::point) + i;
+        const int at_normal = static_cast<int>(wall_part::normal) + i;
+        const int at_velocity = static_cast<int>(wall_part::velocity) + i;
+        const bool is_axis = known_zeros && zeros == N - 1 && !is_exact_zero(n[i]);
+        if (is_axis) {
+            path.take.sum(f.corner[i], below != (n[i].value < 0) ? -f.r : f.r,
+                          static_cast<int>(wall_part::position) + i, c.position[i]);
+        } else {
+            path.take_position(s, i, wall_part::position, c.position[i]);
+        }
+        if (known_zeros && is_exact_zero(n[i])) {
+            path.take.exact(0, at_normal, c.normal[i]);
+            path.take.exact(f.u[i], at_velocity, c.velocity[i]);
+            path.take_position(s, i, wall_part::point, c.point[i]);
+            continue;
+        }
+        const auto unit = product_in_parts<Fused>(n[i], per_length);
+        path.take({below ? -unit.value : unit.value, below ? -unit.error : unit.error, normal_error}, at_normal,
+                  c.normal[i]);
+        const auto velocity = sum_in_parts({f.u[i], 0}, negated(product_in_parts<Fused>(phi, unit)));
+        path.take({velocity.value, velocity.error, 4 * V * normal_error}, at_velocity, c.velocity[i]);
+        if (is_axis) {
+            path.take.exact(f.corner[i], at_point, c.point[i]);
+        } else {
+            const auto reach = product_in_parts<Fused>({below ? -f.r : f.r, 0}, unit);
+            const auto point = sum_in_parts(s.position, negated(reach));
+            path.take({point.value, point.error, s.error + s.size + f.r * (2 * normal_error)}, at_point, c.point[i]);
+        }
+    }
+}
+
+// An edge of direction d, or a corner. y: the centre from it at the contact, off by `error` in each component. Of an
+// edge the part of y along d is taken off, a third time as much error at most; where d is along an axis, exactly.
+template <bool Fused, int N, class T>
+[[gnu::always_inline]] inline void take_round_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
+                                                      parts_vector<N> y, double error, const parts_vector<N>* d,
+                                                      int corner, double V) noexcept {
+    const auto& f = path.f;
+    int axis = -1; // the one along which d is
+    if (d != nullptr) {
+        int others = 0;
+        for (int i = 0; i < N; ++i) {
+            const bool is_zero = is_exact_zero((*d)[i]);
+            axis = is_zero ? axis : i;
+            others += is_zero ? 1 : 0;
+        }
+        axis = others == N - 1 ? axis : -1;
+        if (axis >= 0) {
+            y.component[axis] = {0, 0};
+        } else {
+            const auto along = product_in_parts<Fused>(dot_in_parts<Fused, N>(y, *d),
+                                                       inverse_in_parts<Fused>(dot_in_parts<Fused, N>(*d, *d)));
+            for (int i = 0; i < N; ++i) {
+                y.component[i] = sum_in_parts(y[i], negated(product_in_parts<Fused>(along, (*d)[i])));
+            }
+            error = 4 * error + 0x1p-95 * y.size;
+        }
+    }
+    const auto per_radius = inverse_in_parts<Fused>({f.r, 0});
+    exact_pair<double> speed = product_in_parts<Fused>({f.u[0], 0}, y[0]);
+    for (int i = 1; i < N; ++i) {
+        speed = sum_in_parts(speed, product_in_parts<Fused>({f.u[i], 0}, y[i]));
+    }
+    const auto per_square = product_in_parts<Fused>(per_radius, per_radius);
+    const auto change = product_in_parts<Fused>({2 * speed.value, 2 * speed.error}, per_square);
+    // |y| = r: the change is at most 2V/r, off by 2V (error + 2^-98 size)/r² and some u² of it.
+    const double relative = (error + 0x1p-97 * y.size) * per_radius.value + 0x1p-99;
+    for (int i = 0; i < N; ++i) {
+        const auto s = path.at(i);
+        path.take_position(s, i, wall_part::position, c.position[i]);
+        const int at_point = static_cast<int>(wall_part::point) + i;
+        if (i == axis) {
+            path.take.exact(0, static_cast<int>(wall_part::normal) + i, c.normal[i]);
+            path.take.exact(f.u[i], static_cast<int>(wall_part::velocity) + i, c.velocity[i]);
+            path.take_position(s, i, wall_part::point, c.point[i]);
+            continue;
+        }
+        const auto unit = product_in_parts<Fused>(y[i], per_radius);
+        path.take({unit.value, unit.error, relative}, static_cast<int>(wall_part::normal) + i, c.normal[i]);
+        const auto velocity = sum_in_parts({f.u[i], 0}, negated(product_in_parts<Fused>(change, y[i])));
+        path.take({velocity.value, velocity.error, 8 * V * relative}, static_cast<int>(wall_part::velocity) + i,
+                  c.velocity[i]);
+        if (d == nullptr || axis >= 0) {
+            if constexpr (N == 3) {
+                if (corner == 3) {
+                    const auto edge = difference_in_parts<N>(exact_parts<N>(f.corner), -f.edge[0]);
+                    const auto far = difference_in_parts<N>(edge, -f.edge[1]);
+                    path.take({far[i].value, far[i].error, 0x1p-103 * far.size}, at_point, c.point[i]);
+                    continue;
+                }
+            }
+            path.take.sum(f.corner[i], corner == 0 ? 0 : f.edge[corner - 1][i], at_point, c.point[i]);
+        } else {
+            const auto point = sum_in_parts(s.position, negated(y[i]));
+            path.take({point.value, point.error, s.error + s.size + error + 0x1p-100 * y.size}, at_point, c.point[i]);
+        }
+    }
+}
+
+// Fills in what is certain of a hit near `time` and returns what is open; all is if nothing is known. clock(τ): the
+// time that is wanted.
+template <int N, class T, class Clock>
+struct flat_contact_near {
+    wall_contact<N, T>* c;
+    event_kind kind;
+    int index;
+    const T* row;
+    double time;
+    const Clock* clock;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] parts operator()(std::bool_constant<Fused>) const noexcept {
+        const flat_row<N> f(kind, row);
+        double V = 0, size = f.r;
+        for (int i = 0; i < N; ++i) {
+            V += absolute(f.u[i]);
+            size += absolute(f.x[i]) + absolute(f.corner[i]);
+        }
+        rounded_parts<N, T> take;
+        if (kind == event_kind::plane || kind == event_kind::face) {
+            const auto from = difference_in_parts<N>(f.x, f.corner);
+            const auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(kind, f), f.r, time);
+            if (!(touch.time.good && are_moderate(size, V, touch.n.size, time))) [[unlikely]] {
+                return all_parts;
+            }
+            take((*clock)(touch.time.bounds()), 0, c->time);
+            take_face_contact<Fused, N, T>(*c, {f, touch.time, take}, touch, V);
+            return take.open_parts();
+        }
+        const bool is_edge = N == 3 && kind == event_kind::edge;
+        const int from_corner = is_edge ? ends_of_border(index, false).start : index;
+        const auto from = centre_in_parts(f, from_corner);
+        parts_vector<N> d{};
+        flat_time t{};
+        if constexpr (N == 3) {
+            if (is_edge) {
+                d = exact_parts<3>(index >= 2 ? f.edge[0] : f.edge[1]);
+                t = touch_edge<Fused>(from, f.u, d, f.r, time);
+            }
+        }
+        if (!is_edge) {
+            t = touch_corner<Fused, N>(from, f.u, f.r, time);
+        }
+        if (!(t.good && are_moderate(size + from.size, V, is_edge ? d.size : 1.0, time, f.r))) [[unlikely]] {
+            return all_parts;
+        }
+        take((*clock)(t.bounds()), 0, c->time);
+        auto y = moved<Fused, N>(from, f.u, t.high);
+        for (int i = 0; i < N; ++i) {
+            y.component[i].error += f.u[i] * t.low;
+        }
+        take_round_contact<Fused, N, T>(*c, {f, t, take}, y, 1.01 * V * t.error + 0x1p-100 * y.size,
+                                        is_edge ? &d : nullptr, from_corner, V);
+        return take.open_parts();
+    }
+};
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,109 @@
+// The time of an event of a plane or a wall near one in doubles, from its row.
+#pragma once
+
+#include <graze/filter/static_filter.hpp>
+#include <graze/formula/flat_features.hpp>
+#include <graze/machine/fence.hpp>
+#include <graze/time/event.hpp>
+#include <graze/time/flat_steps.hpp>
+
+namespace graze::inline v0_1::detail {
+
+// Whether sizes are so moderate that their products neither over- nor underflow.
+template <class... S>
+[[nodiscard, gnu::always_inline]] inline bool are_moderate(const S&... size) noexcept {
+    return (within_powers<-100, 100>(size) & ...);
+}
+
+// What touches, in doubles: a plane has its normal in the place of the first edge.
+template <int N>
+struct flat_row {
+    vec<N, double> x, corner, u;
+    vec<N, double> edge[N == 2 ? 1 : 2];
+    double r;
+
+    template <class T>
+    [[gnu::always_inline]] flat_row(event_kind kind, const T* row) noexcept {
+        using P = ball_and_wall<N>;
+        using Q = ball_and_plane<N>;
+        const auto vector = [&](std::size_t from) {
+            return make_vec<N>(
+                [&](int i) { return static_cast<double>(as_stored(row[from + static_cast<unsigned>(i)])); });
+        };
+        constexpr std::size_t n = N;
+        const bool is_plane = kind == event_kind::plane;
+        x = vector(0);
+        corner = vector(n);
+        r = static_cast<double>(as_stored(row[is_plane ? Q::lengths - 1 : P::lengths - 1]));
+        u = vector(is_plane ? Q::lengths : P::lengths);
+        edge[0] = vector(is_plane ? Q::lengths + Q::velocities : 2 * n);
+        if constexpr (N == 3) {
+            if (!is_plane) {
+                edge[1] = vector(3 * n);
+            }
+        }
+    }
+};
+
+template <bool Fused, int N>
+[[nodiscard, gnu::always_inline]] inline parts_vector<N> normal_in_parts(event_kind kind,
+                                                                         const flat_row<N>& f) noexcept {
+    if (kind == event_kind::plane) {
+        return exact_parts<N>(f.edge[0]);
+    }
+    if constexpr (N == 2) {
+        return exact_parts<2>({{-f.edge[0][1], f.edge[0][0]}});
+    } else {
+        return cross_in_parts<Fused>(exact_parts<3>(f.edge[0]), exact_parts<3>(f.edge[1]));
+    }
+}
+
+// The centre from corner i of the wall.
+template <int N>
+[[nodiscard, gnu::always_inline]] inline parts_vector<N> centre_in_parts(const flat_row<N>& f, int corner) noexcept {
+    auto from = difference_in_parts<N>(f.x, f.corner);
+    for (int i = 0; i + 1 < N; ++i) {
+        if ((corner >> i & 1) != 0) {
+            from = difference_in_parts<N>(from, f.edge[i]);
+        }
+    }
+    return from;
+}
+
+// Of a hit that is near `time`.
+template <int N, class T>
+struct flat_time_near {
+    const event<N, T>* e;
+    double time;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] flat_time operator()(std::bool_constant<Fused>) const noexcept {
+        const flat_row<N> f(e->kind, e->row.data());
+        flat_time r{};
+        double size = 1; // of what has no size of its own
+        const bool is_edge = e->kind == event_kind::edge;
+        const int corner = e->kind == event_kind::corner ? e->index
+                           : is_edge                     ? ends_of_border(e->index, false).start
+                                                         : 0;
+        const auto from = centre_in_parts(f, corner);
+        if (e->kind == event_kind::corner) {
+            r = touch_corner<Fused, N>(from, f.u, f.r, time);
+        } else if (!is_edge) {
+            const auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(e->kind, f), f.r, time);
+            r = touch.time;
+            size = touch.n.size;
+        } else if constexpr (N == 3) {
+            const auto d = exact_parts<3>(e->index >= 2 ? f.edge[0] : f.edge[1]);
+            r = touch_edge<Fused>(from, f.u, d, f.r, time);
+            size = d.size;
+        }
+        double speed = 0;
+        for (int i = 0; i < N; ++i) {
+            speed += absolute(f.u[i]);
+        }
+        r.good = r.good && are_moderate(from.size + f.r, speed, size, time);
+        return r;
+    }
+};
+
+} // namespace graze::inline v0_1::detail
