@@ -55,14 +55,14 @@ struct filtered_plane {
         constexpr double k = std::max(height_error, speed_error) * (1 + 0x1p-20);
         const double departs = height * speed;
         const double clear = clearance();
-        const unsigned parts = departs > k * both ? 1 : 0;
-        const unsigned nears = departs < -k * both ? 1 : 0;
+        const unsigned parting = departs > k * both ? 1 : 0;
+        const unsigned nearing = departs < -k * both ? 1 : 0;
         const unsigned known = magnitude_of(clear) > clearance_error * (size * size) ? 1 : 0;
         const unsigned answers = static_cast<unsigned>(encounter::hit) |
                                  static_cast<unsigned>(encounter::overlap) << 4 |
                                  static_cast<unsigned>(encounter::recede) * 0x1100U;
-        const unsigned index = parts * 8 + (clear < 0 ? 4 : 0);
-        return {(in_range & (parts | (nears & known))) != 0, static_cast<encounter>(answers >> index & 7)};
+        const unsigned index = parting * 8 + (clear < 0 ? 4 : 0);
+        return {(in_range & (parting | (nearing & known))) != 0, static_cast<encounter>(answers >> index & 7)};
     }
     // Whether it is negative; velocities have no part in it, but those that are zero, or read as that, make `both` so.
     [[nodiscard]] constexpr answer overlap(const ball<N, T>& b) const noexcept {

@@ -6,6 +6,7 @@
 // tens of u² = 2^-106 of those sizes; 2^-97 of them is taken.
 #pragma once
 
+#include <graze/linear/vec.hpp>
 #include <graze/machine/error_free.hpp>
 #include <graze/machine/lanes.hpp>
 #include <graze/time/rounding_test.hpp>
