@@ -24,12 +24,14 @@ FORMULAS = ROOT / "include/graze/formula"
 PROOFS = ["formula/encounter", "formula/root_order", "formula/roots", "formula/contact", "formula/plane_crossing",
           "formula/discriminant", "formula/flight_motion", "formula/solve_wall", "formula/impulse", "formula/errata",
           "formula/wall_features", "formula/slanted_wall", "analysis/bit_width", "predicate/scenes",
-          "formula/wall_encounter", "predicate/wall_scenes", "predicate/decisions"]
+          "formula/wall_encounter", "formula/flat_features", "predicate/wall_scenes", "predicate/decisions"]
 ABOUT = {
     "relative_motion": ["formula/discriminant"], "quadratic": ["formula/discriminant"],
     "discriminant": ["formula/discriminant"], "roots": ["formula/roots"], "root_order": ["formula/root_order"],
     "contact": ["formula/contact"], "impulse": ["formula/impulse"], "plane_crossing": ["formula/plane_crossing"],
     "wall_features": ["formula/wall_features", "formula/slanted_wall"],
+    "flat_features": ["formula/flat_features", "predicate/wall_scenes"],
+    "flat_encounter": ["predicate/wall_scenes", "predicate/decisions"],
     "wall_encounter": ["formula/wall_encounter", "formula/slanted_wall", "formula/solve_wall", "formula/wall_features",
                        "predicate/wall_scenes"],
     "encounter": ["formula/encounter"], "solution": ["predicate/scenes", "formula/errata"],
