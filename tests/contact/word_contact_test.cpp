@@ -121,6 +121,27 @@ TEST_CASE("bounds hold in double words") {
     }
 }
 
+// Balls that slide past each other, nearly in contact: terms of h cancel, and so do those of c.
+TEST_CASE("bounds hold where all coefficients cancel") {
+    seen s;
+    families::random r(5, 0);
+    const auto unit = [&] { return (static_cast<double>(r.in(0, 1 << 20)) + 0.5) * 0x1p-20; };
+    for (int i = 0; i < 2000; ++i) {
+        const double turn = 6.28 * unit(), x = std::cos(turn), y = std::sin(turn);
+        const int k = static_cast<int>(r.in(4, 24));
+        const double gap = std::ldexp(unit(), -2 * k), inward = std::ldexp(1 + unit(), -k);
+        const double away = (1 + gap) * (r.one_in(4) ? std::ldexp(1.0, static_cast<int>(r.in(0, 20))) : 1.0);
+        const graze::ball<2> a{{x * away, y * away}, {-y - x * inward, x - y * inward}, 0.25, 1},
+            b{{0, 0}, {0, 0}, 0.75, 2};
+        look(s, a, b);
+        const graze::ball<3> c{{x * away, y * away, 0}, {-y - x * inward, x - y * inward, unit()}, 0.25, 1};
+        look(s, c, graze::ball<3>{{0, 0, 0}, {0, 0, 0}, 0.75, 2});
+    }
+    CHECK(s.wrong == 0);
+    CHECK(s.wrong_bounds == 0);
+    CHECK(s.meet > 1000);
+}
+
 TEST_CASE("the widest stage of a time and of a contact") {
     using graze::stage;
     const auto at = [](double x, double y, double u, double unit = 1) {

@@ -65,20 +65,21 @@ template <int N, class T>
 }
 
 // What y and n = y/R can be off by. The analysis runs separation_at_contact on Δu, and on Δx × Δu and √D over a, 1/a
-// being right to 9.2u² with a low part of 2.02u; a itself is off by of_a, relatively, and so are its quotients. What Δx
-// × Δu and √D are off by themselves is multiplied by at most Σ|Δu_i|/a. n = y/R takes 22u² (lane_steps.hpp).
+// being right to 9.2u² with a low part of 2.02u, that of √D up to 1.5u; a itself is off by of_a, relatively, and so are
+// its quotients. What Δx × Δu and √D are off by themselves is multiplied by at most Σ|Δu_i|/a. n = y/R takes 22u²
+// (lane_steps.hpp).
 template <int N>
 struct separation_bounds {
     static constexpr auto input = word_rounding::exact_input();
     static constexpr double of_a = graze::squared_norm(make_vec<N>([](int) { return input; })).bound();
     static constexpr double of_y = [] {
         const auto quotient = input * word_rounding(3, 10);
+        const auto root = word_rounding(2, 0) * word_rounding(3, 10);
         const auto du = make_vec<N>([](int) { return input; });
         if constexpr (N == 2) {
-            return separation_at_contact(du, quotient, quotient)[0].bound();
+            return separation_at_contact(du, quotient, root)[0].bound();
         } else {
-            return separation_at_contact(du, vec<3, word_rounding>{{quotient, quotient, quotient}}, quotient)[0]
-                .bound();
+            return separation_at_contact(du, vec<3, word_rounding>{{quotient, quotient, quotient}}, root)[0].bound();
         }
     }();
 };

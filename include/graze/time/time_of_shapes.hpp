@@ -79,7 +79,8 @@ template <int N, class T>
                 return {time_of_overlap(a, b), stage::double_word};
             }
             if (t.what == static_cast<int>(encounter::hit)) {
-                if (const auto nearest = round_further_time<double>(t, rounding::nearest)) {
+                if (const auto nearest = round_further_time<double>(t, rounding::nearest);
+                    nearest && is_finite_input(*nearest)) {
                     event<N, T> e(two_balls<N>{}, a, b, event_kind::balls, 0, false);
                     e.nearest = std::is_same_v<T, double>;
                     return {impact_time<N, T>(impact_time_key{}, enclosure_of(t, *nearest), e), stage::double_word};

@@ -112,11 +112,13 @@ struct word_approach {
         if (!in_range) {
             return undecided;
         }
-        const auto h = sized(coefficient_h{});
+        auto h = sized(coefficient_h{});
         if (const int s = h.sign(); s >= 0) {
             return s == open ? undecided : static_cast<int>(encounter::recede);
         }
+        h.value = as_input(h.value); // terms may have cancelled
         auto c = sized(coefficient_c{});
+        c.value = as_input(c.value);
         if (std::fabs(c.value.high) < 0x1p-10 * length2) {
             c = near_c(sized.lost);
         }
