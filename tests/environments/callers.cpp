@@ -3,6 +3,7 @@
 #include <graze/predicate/classify_walls.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <bit>
 #include <cmath>

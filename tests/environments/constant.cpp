@@ -1,6 +1,7 @@
 // Decisions in constant expressions. Compiles, or not, under every flag; there is nothing to run.
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <limits>
 

@@ -2,6 +2,7 @@
 #include "subject.hpp"
 
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 namespace environments {
 namespace {

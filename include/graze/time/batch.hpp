@@ -3,6 +3,7 @@
 
 #include <graze/time/batch_blocks.hpp>
 #include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
 
 #include <algorithm>
 #include <limits>
