@@ -52,17 +52,18 @@ template <class Question, class V, class A, class B>
                                  typename Question::answer* answers, open_pairs& left) noexcept {
     constexpr std::size_t step = V::lanes;
     std::size_t i = 0;
-    for (; i + step <= count; i += step) {
-        const ball<A::dimension, V> x = a.template lanes_from<V>(from + i);
-        const auto found = [&] {
-            if constexpr (requires { b.template lanes_from<V>(from); }) {
-                return Question::lanes(x, b.template lanes_from<V>(from + i));
-            } else {
-                return Question::lanes(x, b.at(0));
-            }
-        }();
-        found.store(answers + from + i);
-        left.add(i, found.open);
+    const auto each = [&](const auto& other) __attribute__((always_inline)) {
+        for (; i + step <= count; i += step) {
+            const auto found = Question::lanes(a.template lanes_from<V>(from + i), other(i));
+            found.store(answers + from + i);
+            left.add(i, found.open);
+        }
+    };
+    if constexpr (requires { b.template lanes_from<V>(from); }) {
+        each([&](std::size_t k) { return b.template lanes_from<V>(from + k); });
+    } else {
+        const auto& shape = in_lanes<V>(b.at(0));
+        each([&](std::size_t) -> const auto& { return shape; });
     }
     left.add_rest(i, count);
 }
@@ -79,7 +80,7 @@ inline constexpr bool has_lanes_of = [] {
     if constexpr (requires(const B& b) { b.template lanes_from<V>(0); }) {
         return requires(const X& x) { Question::lanes(x, x); };
     } else {
-        return requires(const X& x, const B& b) { Question::lanes(x, b.at(0)); };
+        return requires(const X& x, const B& b) { Question::lanes(x, in_lanes<V>(b.at(0))); };
     }
 }();
 template <class Question, class A, class B>

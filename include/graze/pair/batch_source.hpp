@@ -27,6 +27,32 @@ template <class V, int N, class T>
     return {filled<V>(b.position), filled<V>(b.velocity), V(b.radius)};
 }
 
+// What lanes of V are asked about beside balls, the same in every lane: a plane, and in doubles a wall or a triangle.
+template <class V, int N, class T>
+[[nodiscard, gnu::always_inline]] inline plane<N, V> in_lanes(const plane<N, T>& p) noexcept {
+    return {filled<V>(p.point), filled<V>(p.normal)};
+}
+
+template <class V>
+using lanes_of_doubles = pack<double, V::lanes* static_cast<int>(sizeof(typename V::scalar)) / 8>;
+template <class V, std::size_t Edges, int N, class T>
+[[nodiscard, gnu::always_inline]] inline std::array<vec<N, V>, Edges>
+filled(const std::array<vec<N, T>, Edges>& edge) noexcept {
+    std::array<vec<N, V>, Edges> r;
+    for (std::size_t i = 0; i < Edges; ++i) {
+        r[i] = filled<V>(edge[i]);
+    }
+    return r;
+}
+template <class V, int N, class T>
+[[nodiscard, gnu::always_inline]] inline wall<N, lanes_of_doubles<V>> in_lanes(const wall<N, T>& w) noexcept {
+    return {filled<lanes_of_doubles<V>>(w.corner), filled<lanes_of_doubles<V>>(w.edge)};
+}
+template <class V, class T>
+[[nodiscard, gnu::always_inline]] inline triangle<lanes_of_doubles<V>> in_lanes(const triangle<T>& t) noexcept {
+    return {filled<lanes_of_doubles<V>>(t.corner), filled<lanes_of_doubles<V>>(t.edge)};
+}
+
 // Half of the lanes as doubles, the first or the second.
 template <int Half, int Lanes>
 [[nodiscard, gnu::always_inline]] inline pack<double, Lanes / 2> widened(const pack<float, Lanes>& x) noexcept {

@@ -40,11 +40,9 @@ struct lane_plane {
     plane_motion<N, V, V, V, V> m;
     V length2, velocity2, normal2;
 
-    template <class T>
-    [[gnu::always_inline]] lane_plane(const ball<N, V>& b, const plane<N, T>& p) noexcept
-        : m(relative_motion_of(b, plane<N, V>{filled<V>(p.point), filled<V>(p.normal)})),
-          length2(graze::squared_norm(m.w) + m.r * m.r), velocity2(graze::squared_norm(m.u)),
-          normal2(graze::squared_norm(m.n)) {}
+    [[gnu::always_inline]] lane_plane(const ball<N, V>& b, const plane<N, V>& p) noexcept
+        : m(relative_motion_of(b, p)), length2(graze::squared_norm(m.w) + m.r * m.r),
+          velocity2(graze::squared_norm(m.u)), normal2(graze::squared_norm(m.n)) {}
 
     // Where the clearance is certain, and nothing over- or underflows: of which lanes.
     [[nodiscard, gnu::always_inline]] typename V::mask is_clear(const V& clearance) const noexcept {
@@ -58,9 +56,10 @@ struct lane_plane {
     }
 };
 
-template <int N, class V, class T>
+template <int N, class V>
 [[nodiscard, gnu::always_inline]] inline lane_encounters<V> classify_lanes(const ball<N, V>& b,
-                                                                           const plane<N, T>& p) noexcept {
+                                                                           const plane<N, V>& p) noexcept {
+    using T = typename V::scalar;
     using range = lane_range<T>;
     const lane_plane<N, V> lane(b, p);
     const V height = plane_height{}(lane.m);
@@ -76,9 +75,9 @@ template <int N, class V, class T>
             (all_lanes<V> ^ bits_of(certain)) | sign_bits(b.radius)};
 }
 
-template <int N, class V, class T>
+template <int N, class V>
 [[nodiscard, gnu::always_inline]] inline lane_overlaps<V> overlaps_lanes(const ball<N, V>& b,
-                                                                         const plane<N, T>& p) noexcept {
+                                                                         const plane<N, V>& p) noexcept {
     const lane_plane<N, V> lane(b, p);
     const V clearance = plane_clearance{}(lane.m);
     const auto certain = lane.is_clear(clearance) & lane.in_range();

@@ -111,11 +111,7 @@ template <int N, class T, class V>
 template <int N, class V, class Shape>
 [[nodiscard, gnu::always_inline]] inline flat_motion<N, V> lane_motion_of(const ball<N, V>& b,
                                                                           const Shape& shape) noexcept {
-    std::array<vec<N, V>, N - 1> e;
-    for (std::size_t i = 0; i < e.size(); ++i) {
-        e[i] = filled<V>(shape.edge[i]);
-    }
-    return {b.position - filled<V>(shape.corner), b.velocity, e, b.radius, is_triangle(shape)};
+    return {b.position - shape.corner, b.velocity, shape.edge, b.radius, is_triangle(shape)};
 }
 
 template <class Shape>
