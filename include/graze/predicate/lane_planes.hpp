@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/formula/plane_crossing.hpp>
-#include <graze/pair/batch_source.hpp>
+#include <graze/pair/lane_shapes.hpp>
 #include <graze/predicate/lane_encounter.hpp>
 
 namespace graze::inline v0_1::detail {

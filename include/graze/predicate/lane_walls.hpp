@@ -3,8 +3,8 @@
 #pragma once
 
 #include <graze/machine/pack_transforms.hpp>
-#include <graze/pair/batch_source.hpp>
 #include <graze/pair/flat_signs.hpp>
+#include <graze/pair/lane_shapes.hpp>
 #include <graze/predicate/decide_flat.hpp>
 #include <graze/predicate/lane_encounter.hpp>
 

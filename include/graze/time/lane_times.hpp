@@ -4,7 +4,7 @@
 #include <graze/exact/rounding.hpp>
 #include <graze/formula/roots.hpp>
 #include <graze/machine/pack_transforms.hpp>
-#include <graze/pair/batch_source.hpp>
+#include <graze/pair/lane_shapes.hpp>
 #include <graze/predicate/lane_balls.hpp>
 #include <graze/time/fast_approach.hpp>
 
