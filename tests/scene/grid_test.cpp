@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -160,7 +161,45 @@ struct hesitant : graze::plain_mechanics<2, double> {
     }
 };
 
+// Plain mechanics that cannot tell equal times from others.
+struct vague : graze::plain_mechanics<2, double> {
+    int order(double s, double t) const {
+        if (s == t) {
+            throw graze::undecided("the order of two times", s);
+        }
+        return s < t ? -1 : 1;
+    }
+};
+
 } // namespace
+
+TEST_CASE("of two events that share no ball either is done first, where their order is undecided") {
+    using ball = graze::ball<2, double>;
+    std::vector<ball> balls{
+        {{{0, 0}}, {{1, 0}}, 1}, {{{5, 0}}, {{0, 0}}, 1}, {{{0, 10}}, {{1, 0}}, 1}, {{{5, 10}}, {{0, 0}}, 1}};
+    std::vector<graze::meeting> met;
+    const auto note = [&](const auto& e) { met.push_back(e.who); };
+    graze::run<vague> apart(graze::scene<2, double>{balls, {}, {}});
+    CHECK(apart.advance({}, note).why == graze::ending::exhausted);
+    REQUIRE(met.size() == 2);
+    std::sort(met.begin(), met.end());
+    CHECK(met[0] == graze::meeting{graze::partner::ball, 0, 1});
+    CHECK(met[1] == graze::meeting{graze::partner::ball, 2, 3});
+
+    balls[2] = {{{10, 0}}, {{-1, 0}}, 1}; // ball 1 is met from both sides
+    balls[3].velocity[0] = 1;
+    graze::run<vague> together(graze::scene<2, double>{balls, {}, {}});
+    try {
+        together.advance({}, note);
+        FAIL("ball 1 was hit in some order");
+    } catch (const graze::undecided& e) {
+        REQUIRE(e.second());
+        CHECK(((e.first()->a == 1) || (e.first()->b == 1)));
+        CHECK(((e.second()->a == 1) || (e.second()->b == 1)));
+        CHECK(e.first() != e.second());
+    }
+    CHECK(met.size() == 2);
+}
 
 TEST_CASE("with and without cells the sequence is the same, bit for bit") {
     CHECK(cells_have_no_part<2>(500, 400));

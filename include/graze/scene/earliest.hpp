@@ -36,29 +36,62 @@ void put_in_order(std::vector<due<Time>>& nearest) {
     nearest.erase(std::unique(nearest.begin(), nearest.end(), is_same), nearest.end());
 }
 
-// Those of them that are the earliest, in the same order; their times are moved. Allocates only where there are more
-// than ever before.
+// Whether the two have a ball in common. That they have a mirror in common means nothing to either.
 template <mechanics M>
-void select_earliest(const moving_scene<M>& scene, std::vector<due<typename M::time>>& nearest,
-                     std::vector<due<typename M::time>>& earliest) {
-    earliest.clear();
-    for (auto& d : nearest) {
-        int order = 0;
-        if (!earliest.empty()) {
-            const foreseen& first = earliest.front().what;
-            try {
-                order = scene.rules().order(d.when, earliest.front().when);
-            } catch (graze::undecided& e) {
-                e.between(scene.named(d.what.a, d.what.b), scene.named(first.a, first.b));
+[[nodiscard]] bool share_a_ball(const moving_scene<M>& scene, const foreseen& x, const foreseen& y) noexcept {
+    const auto is_shared = [&](body a) { return a < scene.balls() && !scene[a].immovable && (a == y.a || a == y.b); };
+    return is_shared(x.a) || is_shared(x.b);
+}
+
+// Where M cannot tell the order of some: one before which there is certainly no other comes first, with those that are
+// certainly of its time. What may be earlier but shares no ball with it is as well done later. Throws M's undecided
+// where the order matters.
+template <mechanics M>
+void select_earliest_known(const moving_scene<M>& scene, const std::vector<due<typename M::time>>& nearest,
+                           std::vector<due<typename M::time>>& earliest) {
+    const auto order = [&](std::size_t i, std::size_t j, bool matters) -> std::optional<int> {
+        try {
+            return i == j ? 0 : scene.rules().order(nearest[i].when, nearest[j].when);
+        } catch (graze::undecided& e) {
+            const foreseen &x = nearest[i].what, &y = nearest[j].what;
+            if (matters && share_a_ball(scene, x, y)) {
+                e.between(scene.named(x.a, x.b), scene.named(y.a, y.b));
                 throw;
             }
+            return {};
         }
-        if (order < 0) {
-            earliest.clear();
+    };
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+        if (order(i, first, false).value_or(0) < 0) {
+            first = std::exchange(i, std::size_t(-1)); // and once more from the start
         }
-        if (order <= 0) {
-            earliest.push_back(std::move(d));
+    }
+    earliest.clear();
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+        if (order(i, first, true) == 0) {
+            earliest.push_back(nearest[i]);
         }
+    }
+}
+
+// Those of them that are the earliest, in the same order. Allocates only where there are more than ever before.
+template <mechanics M>
+void select_earliest(const moving_scene<M>& scene, const std::vector<due<typename M::time>>& nearest,
+                     std::vector<due<typename M::time>>& earliest) {
+    earliest.clear();
+    try {
+        for (const auto& d : nearest) {
+            const int order = earliest.empty() ? 0 : scene.rules().order(d.when, earliest.front().when);
+            if (order < 0) {
+                earliest.clear();
+            }
+            if (order <= 0) {
+                earliest.push_back(d);
+            }
+        }
+    } catch (const graze::undecided&) {
+        select_earliest_known(scene, nearest, earliest);
     }
 }
 

@@ -17,7 +17,8 @@ namespace graze::inline v0_1 {
 //
 // Order. The earliest event is next, as M orders times. Events of exactly the same time that share no ball are all
 // done; of those that share one, which only M's rounding or a choice can tell apart, the first in an order that depends
-// on the scene's numbers alone, and the others are predicted again; the run counts them (outcome::choices). The
+// on the scene's numbers alone, and the others are predicted again; the run counts them (outcome::choices). Where M
+// cannot tell the order of two events that share no ball, either is done first. The
 // sequence and all states are those of the scene, whatever the order of its lists; of two balls whose numbers are all
 // the same, either may be called by the other's index.
 // Rules. Two that have met are not offered to each other again until one of them has had another event. A point stays
