@@ -6,11 +6,13 @@
 
 #include <gmpxx.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
 using compare::exact;
 using compare::run::certified;
+using compare::run::mpfi_interval;
 
 namespace {
 
@@ -90,14 +92,71 @@ TEST_CASE("a root of a rational's square is rational, any other is enclosed") {
     CHECK(!root_of(2, 60).is_rational());
 }
 
+TEST_CASE("numbers of one quadratic field are exact, and their signs are certain") {
+    CHECK(rc::check([] {
+        const int d = *rc::gen::element(2, 3, 5, 6, 51, 1000);
+        const mpq_class radicand(d);
+        struct element { // p + q√d
+            certified number;
+            mpq_class p, q;
+        };
+        const auto element_of = [&](const mpq_class& p, const mpq_class& q) {
+            const int square = *rc::gen::inRange(1, 5); // √(d s²) = s √d, in the same field
+            return element{certified(p, 60) + certified(mpq_class(q / square), 60) * root_of(d * square * square, 60),
+                           p, q};
+        };
+        const auto draw = [&] { return element_of(drawn(60).value, drawn(60).value); };
+        element x = draw(), y = draw();
+        const mpq_class norm = y.p * y.p - y.q * y.q * radicand;
+        for (const element& z :
+             {element{x.number + y.number, x.p + y.p, x.q + y.q}, element{x.number - y.number, x.p - y.p, x.q - y.q},
+              element{x.number * y.number, x.p * y.p + x.q * y.q * radicand, x.p * y.q + x.q * y.p},
+              norm == 0 ? x
+                        : element{x.number / y.number, (x.p * y.p - x.q * y.q * radicand) / norm,
+                                  (x.q * y.p - x.p * y.q) / norm}}) {
+            RC_ASSERT(z.number.is_exact());
+            RC_ASSERT(z.number.is_rational() == (z.q == 0));
+            // By 400 bits of the root: these numbers cannot be 0 and that small.
+            mpf_class root(0, 400);
+            mpf_sqrt_ui(root.get_mpf_t(), static_cast<unsigned long>(d));
+            const mpf_class value = mpf_class(z.p, 400) + mpf_class(z.q, 400) * root;
+            const int sign = z.p == 0 && z.q == 0 ? 0 : sgn(value);
+            RC_ASSERT(z.number.certain_sign() == sign);
+            const mpfi_interval around = z.number.interval();
+            const mpq_class near(value), off = abs(near) / (mpz_class(1) << 300);
+            RC_ASSERT(mpfr_cmp_q(around.lower(), mpq_class(near + off).get_mpq_t()) <= 0);
+            RC_ASSERT(mpfr_cmp_q(around.upper(), mpq_class(near - off).get_mpq_t()) >= 0);
+            // The root of the square, whatever its sign, is in the field too.
+            const certified square_root = sqrt(z.number * z.number);
+            RC_ASSERT(square_root.is_exact());
+            RC_ASSERT((sign < 0 ? square_root + z.number : square_root - z.number).certain_sign() == 0);
+        }
+    }));
+    CHECK(!(root_of(2, 60) + root_of(3, 60)).is_exact()); // of two fields
+    CHECK(!sqrt(certified(1) + root_of(2, 60)).is_exact());
+    CHECK((root_of(2, 60) * root_of(8, 60)).rational() == 4);
+}
+
+TEST_CASE("an exact number that nearly cancels is enclosed as closely as any") {
+    // (√2 - 1)^200 is below 2^-254.
+    certified x(1);
+    for (int i = 0; i < 200; ++i) {
+        x = x * (root_of(2, 60) - certified(1));
+    }
+    CHECK(x.is_exact());
+    CHECK(x.certain_sign() == 1);
+    CHECK(near_double(x) == doctest::Approx(std::pow(std::sqrt(2.0) - 1, 200)).epsilon(1e-12));
+}
+
 TEST_CASE("what shares an unknown number cancels exactly") {
-    const certified x = root_of(2, 53), third(exact_of(1, 3), 53);
+    const certified x = root_of(2, 53).enclosed(), third(exact_of(1, 3), 53);
     CHECK((x - x).certain_sign() == 0);
     CHECK((third * x - x / certified(3)).certain_sign() == 0);
     CHECK((x / x).is_rational());
     CHECK((x * certified(0)).certain_sign() == 0);
-    CHECK(!(root_of(2, 53) - x).certain_sign()); // the same number, but nobody knows that
-    CHECK_THROWS_AS((void)(root_of(2, 53) - x).sign(), compare::run::undecided_sign);
+    const certified y = root_of(2, 53).enclosed(); // the same number, but nobody knows that
+    CHECK(!(y - x).certain_sign());
+    CHECK_THROWS_AS((void)(y - x).sign(), compare::run::undecided_sign);
 }
 
 TEST_CASE("an infinite mass has an inverse of exactly 0") {
@@ -115,9 +174,9 @@ TEST_CASE("a rational that is too long goes on as an interval around it") {
     while (x.is_rational()) {
         x = x * x;
         value *= value;
-        REQUIRE(mpz_sizeinbase(value.get_num_mpz_t(), 2) < 8 * certified::longest_rational);
+        REQUIRE(mpz_sizeinbase(value.get_num_mpz_t(), 2) < 8 * certified::longest_exact);
     }
-    CHECK(mpz_sizeinbase(value.get_den_mpz_t(), 2) > certified::longest_rational / 4);
+    CHECK(mpz_sizeinbase(value.get_den_mpz_t(), 2) > certified::longest_exact / 4);
     CHECK(contains(x, value));
     CHECK(x.sign() == 1);
 }

@@ -1,10 +1,10 @@
 // What a run asks of its number type, answered with certainty or not at all.
 #pragma once
 
-#include "certified.hpp"
+#include "certified_flight.hpp"
+#include "certified_time.hpp"
 
-#include <graze/formula/root_order.hpp>
-#include <graze/scene/mechanics.hpp>
+#include <graze/scene/plain_mechanics.hpp>
 #include <graze/solve.hpp>
 
 #include <algorithm>
@@ -12,65 +12,61 @@
 
 namespace compare::run {
 
-// When things meet. Where both were rational before, the quadratic whose smaller root it is too, in absolute time, so
-// that ties are found exactly even between times that are no rationals.
-struct certified_time {
-    using coefficients = graze::quadratic<certified, certified, certified>;
-    certified value;
-    std::optional<coefficients> exactly;
-};
-
-// The sign of s - t. Throws graze::undecided.
-[[nodiscard]] int order_of(const certified_time& s, const certified_time& t);
-
 // Predictions and contacts by the formulas of `solve`, every one a proof: what is empty does not meet, what is returned
-// encloses the truth. Throws graze::undecided where the intervals leave a decision open.
+// encloses the truth. Throws graze::undecided where the intervals leave a decision open that matters now; whether two
+// meet matters when it is time.
 template <int N>
 class certified_mechanics {
   public:
     static constexpr int dimension = N;
     using number = certified;
-    using state = graze::flight<N, certified>;
+    using state = certified_flight<N>;
     using time = certified_time;
     using ball = graze::ball<N, certified>;
     using plane = graze::plane<N, certified>;
     using wall = graze::wall<N, certified>;
 
-    [[nodiscard]] state start(const ball& b) const { return {b, certified(0)}; }
+    [[nodiscard]] state start(const ball& b) const { return {{b, certified(0)}}; }
 
     [[nodiscard]] std::optional<time> meet(const state& a, const state& b) const {
         if (rests(a) && rests(b)) { // most pairs of a lattice of mirrors
             return {};
         }
         return decided("whether they meet", a, [&]() -> std::optional<time> {
-            common now(*this, a, b);
-            now.a.mass = now.b.mass = 1; // masses have no part in it, and two infinite ones no common velocity
-            const auto s = graze::solve(now.a, now.b);
-            if (!graze::is_collision(s.what)) {
-                return {};
+            const common now(*this, a, b);
+            try {
+                const std::optional<certified> when = formulas().meet({now.a, now.t}, {now.b, now.t});
+                return when ? std::optional(time_of(*when, a, b)) : std::nullopt;
+            } catch (const undecided_sign&) {
+                if (a.line || b.line) {
+                    return meet(exactly(a), exactly(b));
+                }
+                const auto m = graze::relative_motion_of(now.a, now.b);
+                return not_before(now.t, sqrt(graze::squared_norm(m.dx)) - m.R, sqrt(graze::squared_norm(m.du)),
+                                  graze::quadratic_of(m));
             }
-            time found{now.t + s.time, {}};
-            if (is_rational(a) && is_rational(b)) {
-                found.exactly = graze::quadratic_of(graze::relative_motion_of(ball_at(a, 0), ball_at(b, 0)));
-            }
-            return found;
         });
     }
     [[nodiscard]] std::optional<time> meet(const state& a, const plane& p) const { return meet_standing(a, p); }
     [[nodiscard]] std::optional<time> meet(const state& a, const wall& w) const { return meet_standing(a, w); }
 
     [[nodiscard]] int order(const time& s, const time& t) const { return order_of(s, t); }
-    [[nodiscard]] int order(const time& s, const number& t) const { return order_of(s, {t, {}}); }
+    [[nodiscard]] int order(const time& s, const number& t) const { return order_of(s, {t, nullptr}); }
 
     void bounce(state& a, state& b, const time& t) const {
         decided("how they part", a, [&] {
-            const common now(*this, a, b);
+            if (is_later(t, a) && is_later(t, b) && bounce_long(a, b)) {
+                return;
+            }
+            const common now(*this, exactly(a), exactly(b));
             const auto s = graze::solve(now.a, now.b);
+            be_certain(graze::is_collision(s.what));
+            const certified when = now.t + s.time;
             if (!immovable(a)) {
-                a = {{s.position_a, s.velocity_a, a.state.radius, a.state.mass}, t.value};
+                leave(a, when, s.position_a, s.velocity_a);
             }
             if (!immovable(b)) {
-                b = {{s.position_b, s.velocity_b, b.state.radius, b.state.mass}, t.value};
+                leave(b, when, s.position_b, s.velocity_b);
             }
         });
     }
@@ -78,14 +74,17 @@ class certified_mechanics {
     void bounce(state& a, const wall& w, const time& t) const { bounce_off(a, w, t); }
 
     [[nodiscard]] int side(const state& a, const plane& p) const {
-        return decided("on which side it is", a,
-                       [&] { return graze::sign(graze::plane_height{}(graze::relative_motion_of(a.state, p))); });
+        return decided("on which side it is", a, [&] {
+            return graze::sign(graze::plane_height{}(graze::relative_motion_of(exactly(a).state, p)));
+        });
     }
     [[nodiscard]] int heading(const state& a, const plane& p) const {
-        return decided("whether it comes or goes", a,
-                       [&] { return graze::sign(graze::plane_speed{}(graze::relative_motion_of(a.state, p))); });
+        return decided("whether it comes or goes", a, [&] {
+            return graze::sign(graze::plane_speed{}(graze::relative_motion_of(exactly(a).state, p)));
+        });
     }
     void turn_back(state& a, const plane& p) const {
+        a = exactly(a);
         a.state.velocity = graze::reflected_unnormalised(a.state.velocity, p.normal);
     }
     [[nodiscard]] int side(const state& a, const wall& w) const { return side(a, plane_of(a, w)); }
@@ -93,7 +92,7 @@ class certified_mechanics {
     void turn_back(state& a, const wall& w) const { turn_back(a, plane_of(a, w)); }
 
     [[nodiscard]] graze::time_bounds bounds(const time& t) const { return t.value.bounds(); }
-    [[nodiscard]] time now(const state& a) const { return {a.since, {}}; }
+    [[nodiscard]] time now(const state& a) const { return {a.since, nullptr}; }
     [[nodiscard]] bool immovable(const state& a) const { return a.state.mass.is_infinite(); }
     [[nodiscard]] bool is_point(const state& a) const { return a.state.radius.sign() == 0; }
     [[nodiscard]] graze::flight<N, double> about(const state& a) const {
@@ -113,6 +112,8 @@ class certified_mechanics {
     }
 
   private:
+    using formulas = graze::plain_mechanics<N, certified, graze::variant::lagrange>;
+
     // Two balls at the later of the two instants from which they fly.
     struct common {
         certified t;
@@ -121,16 +122,11 @@ class certified_mechanics {
             : t(larger(x.since, y.since)), a(m.ball_at(x, t)), b(m.ball_at(y, t)) {}
     };
 
-    static bool all_rational(const graze::vec<N, certified>& x) {
-        return std::all_of(x.component, x.component + N, [](const certified& c) { return c.is_rational(); });
-    }
-    static bool is_rational(const state& a) {
-        return a.since.is_rational() && all_rational(a.state.position) && all_rational(a.state.velocity);
-    }
     static bool rests(const state& a) {
         const auto& u = a.state.velocity;
         return std::all_of(u.component, u.component + N, [](const certified& c) { return c.certain_sign() == 0; });
     }
+    static const plane& plane_of(const state&, const plane& p) { return p; }
     static plane plane_of(const state& a, const wall& w) { return {w.corner, graze::relative_motion_of(a.state, w).n}; }
 
     static certified_time::coefficients coefficients_of(const ball& b, const plane& p,
@@ -151,19 +147,60 @@ class certified_mechanics {
         return graze::quadratic_of(graze::corner_motion(graze::seen_from(m, graze::wall_view{s.index, false})));
     }
 
+    // With their quadratic where the time is not exact and could be.
+    template <class Other>
+    [[nodiscard]] time time_of(const certified& when, const state& a, const Other& other) const {
+        time found{when, {}};
+        if constexpr (std::is_same_v<Other, state>) {
+            if (!when.is_exact() && is_exact(a) && is_exact(other)) {
+                found.exactly = [m = *this, a, other] {
+                    return graze::quadratic_of(
+                        graze::relative_motion_of(m.ball_at(exactly(a), 0), m.ball_at(exactly(other), 0)));
+                };
+            }
+        } else if (!when.is_exact() && is_exact(a)) {
+            found.exactly = [m = *this, a, other] {
+                const state x = exactly(a);
+                return coefficients_of(m.ball_at(x, 0), other, graze::solve(x.state, other));
+            };
+        }
+        return found;
+    }
+    // Whether a contact at t is a touch, and no overlap since before.
+    [[nodiscard]] static bool is_later(const time& t, const state& a) {
+        return (t.value - a.since).certain_sign() == 1;
+    }
+    void leave(state& a, const certified& when, const graze::vec<N, certified>& position,
+               const graze::vec<N, certified>& velocity) const {
+        a = {{{position, velocity, a.state.radius, a.state.mass}, when}};
+        shorten(a);
+    }
+
     template <class Standing>
     std::optional<time> meet_standing(const state& a, const Standing& standing) const {
         return decided("whether they meet", a, [&]() -> std::optional<time> {
-            const auto s = graze::solve(a.state, standing);
-            if (!graze::is_collision(s.what)) {
-                return {};
+            try {
+                const std::optional<certified> when = formulas().meet(a, standing);
+                return when ? std::optional(time_of(*when, a, standing)) : std::nullopt;
+            } catch (const undecided_sign&) {
+                if (a.line) {
+                    return meet(exactly(a), standing);
+                }
+                const auto m = graze::relative_motion_of(a.state, plane_of(a, standing));
+                const certified height = graze::plane_height{}(m), speed = graze::plane_speed{}(m);
+                return not_before(a.since, larger(height, -height) - m.r * sqrt(graze::squared_norm(m.n)),
+                                  larger(speed, -speed), {});
             }
-            time found{a.since + s.time, {}};
-            if (is_rational(a)) {
-                found.exactly = coefficients_of(ball_at(a, 0), standing, s);
-            }
-            return found;
         });
+    }
+    // Whether what a meets there is the face, for certain.
+    static bool is_face(const state&, const plane&) { return true; }
+    static bool is_face(const state& a, const wall& w) {
+        try {
+            return graze::solve(a.state, w).where == graze::feature::face;
+        } catch (const undecided_sign&) {
+            return false;
+        }
     }
     template <class Standing>
     void bounce_off(state& a, const Standing& standing, const time& t) const {
@@ -171,11 +208,21 @@ class certified_mechanics {
             return;
         }
         decided("how it bounces", a, [&] {
-            const auto s = graze::solve(a.state, standing);
-            a = {{s.position, s.velocity, a.state.radius, a.state.mass}, t.value};
+            if (a.line && is_later(t, a) && is_face(a, standing) && bounce_long(a, plane_of(a, standing))) {
+                return;
+            }
+            const state x = exactly(a);
+            const auto s = graze::solve(x.state, standing);
+            be_certain(graze::is_collision(s.what));
+            leave(a, x.since + s.time, s.position, s.velocity);
         });
     }
 
+    static void be_certain(bool they_meet) {
+        if (!they_meet) { // though they were said to: it was open then
+            throw undecided_sign();
+        }
+    }
     template <class Answer>
     static auto decided(const char* comparison, const state& a, Answer answer) {
         try {

@@ -62,7 +62,9 @@ class attempt {
     bool make(certified_result<N>& found) {
         found = {};
         found.bits = bits_;
+        last_.reset();
         std::optional<graze::run<certified_mechanics<N>>> run;
+        event_check<N> check(scene_);
         bool certain = true;
         try {
             run.emplace(scene_.view());
@@ -71,7 +73,7 @@ class attempt {
                 limits.time = certified(*how_far_.until, bits_);
             }
             limits.events = how_far_.events.value_or(limits.events);
-            const graze::outcome done = run->advance(limits, [&](const auto& e) { return note(found, e); });
+            const graze::outcome done = run->advance(limits, [&](const auto& e) { return note(found, check, e); });
             found.why = done.why;
         } catch (const graze::undecided& error) {
             found.problem = text_of(error);
@@ -84,6 +86,16 @@ class attempt {
         found.end = to_the_end             ? certified(*how_far_.until, bits_)
                     : found.events.empty() ? certified(0)
                                            : found.events.back().time;
+        try {
+            if (found.why == graze::ending::exhausted && found.problem.empty()) {
+                check.end_of_all();
+            } else if (run) {
+                check.end(found.end);
+            }
+        } catch (const graze::undecided& error) {
+            found.problem = found.problem.empty() ? text_of(error) : found.problem;
+            certain = false;
+        }
         for (std::size_t i = 0; i < scene_.balls.size(); ++i) {
             found.balls.push_back(run ? ball_at<N>(*run, static_cast<int>(i), found.end) : scene_.balls[i]);
         }
@@ -102,19 +114,29 @@ class attempt {
 
     std::optional<certified_time> last_;
 
-    static bool are_tied(const certified_time& s, const certified_time& t) {
+    static std::optional<int> known_order_of(const certified_time& s, const certified_time& t) {
         try {
-            return order_of(s, t) == 0;
-        } catch (const graze::undecided&) { // then one follows from the other: they have not been compared
-            return false;
+            return order_of(s, t);
+        } catch (const graze::undecided&) { // one follows from the other, or they share no ball
+            return {};
         }
+    }
+    // Whether the two have a ball in common that is no mirror.
+    [[nodiscard]] bool share_a_ball(const graze::meeting& x, const graze::meeting& y) const {
+        const auto is_shared = [&](int a) {
+            return !scene_.balls[static_cast<std::size_t>(a)].mass.is_infinite() &&
+                   (a == y.a || (y.with == graze::partner::ball && a == y.b));
+        };
+        return is_shared(x.a) || (x.with == graze::partner::ball && is_shared(x.b));
     }
 
     template <class Event>
-    bool note(certified_result<N>& found, const Event& e) {
-        const bool tied = last_ && are_tied(*last_, e.when);
+    bool note(certified_result<N>& found, event_check<N>& check, const Event& e) {
+        check.event(e.who, e.when.value, e.after_a, e.after_b);
+        const std::optional<int> order = last_ ? known_order_of(*last_, e.when) : std::optional(-1);
         last_ = e.when;
-        found.events.push_back({e.who, e.when.value, tied, e.chosen, e.after_a.state, {}});
+        const bool either_order = !order && !share_a_ball(e.who, found.events.back().who);
+        found.events.push_back({e.who, e.when.value, order == 0, either_order, e.chosen, e.after_a.state, {}});
         if (e.after_b != nullptr) {
             found.events.back().b = e.after_b->state;
         }
@@ -140,7 +162,7 @@ class attempt {
 } // namespace
 
 long decimals_of(const certified& x) {
-    if (x.is_rational()) {
+    if (x.is_exact()) {
         return std::numeric_limits<int>::max();
     }
     const mpfi_interval around = x.interval();
@@ -159,11 +181,9 @@ long decimals_of(const certified& x) {
 
 std::string decimal_text(const certified& x, long decimals) {
     mpfr_t middle;
-    mpfi_interval around =
-        x.is_rational()
-            ? mpfi_interval(std::max(64L, static_cast<long>(static_cast<double>(decimals) * bits_a_digit) + 128),
-                            x.rational().get_mpq_t())
-            : x.interval();
+    const mpfi_interval around =
+        x.around(128 + static_cast<long>(bits_a_digit * static_cast<double>(std::max(decimals, 0L))) +
+                 std::max(0L, static_cast<long>(std::ilogb(near_double(x)))));
     mpfr_init2(middle, around.bits() + 2);
     mpfi_mid(middle, around.get());
     char* text = nullptr;

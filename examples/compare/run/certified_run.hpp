@@ -2,6 +2,7 @@
 #pragma once
 
 #include "certified_mechanics.hpp"
+#include "event_check.hpp"
 #include "extent.hpp"
 
 #include "../progress.hpp"
@@ -15,18 +16,19 @@
 
 namespace compare::run {
 
-// who: by the scene's indices. tied: at exactly the time of the event before. chosen: it shared a ball with another one
-// of the same time. a, b: the balls right after it; b is empty for a plane or a wall.
+// who: by the scene's indices. tied: at exactly the time of the event before. either_order: it shares no ball with the
+// event before, and nothing tells which of the two is first. chosen: it shared a ball with another one of the same
+// time. a, b: the balls right after it; b is empty for a plane or a wall.
 template <int N>
 struct certified_event {
     graze::meeting who;
     certified time;
-    bool tied, chosen;
+    bool tied, either_order, chosen;
     graze::ball<N, certified> a;
     std::optional<graze::ball<N, certified>> b;
 };
 
-// A proof: these events, in this order, and no others until the end.
+// A proof: these events, in this order, and no others until the end. Each has passed event_check.
 template <int N>
 struct certified_result {
     std::vector<certified_event<N>> events;
@@ -42,7 +44,7 @@ struct certified_result {
 
 // Runs the scene in intervals, with ever more bits, from the start, until every decision is certain and the digits
 // hold. What is known when a decision is open at most_bits, or the user interrupts, is returned. Throws input_error for
-// a scene that cannot be run.
+// a scene that cannot be run, and refuted_event for an event that event_check refutes.
 template <int N>
 [[nodiscard]] certified_result<N> certified_run(const exact_scene<N>& scene, const extent& how_far,
                                                 const certainty& wanted, const progress_line& line);

@@ -102,8 +102,8 @@ template <int N>
 void describe(run_report& r, const certified_result<N>& proved, const run_options& o) {
     for (const certified_event<N>& e : proved.events) {
         const long decimals = std::min<long>(decimals_of(e.time) - 1, o.wanted.digits);
-        r.events.push_back(
-            {e.who, decimal_text(e.time, std::max(decimals, 0L)), near_double(e.time), e.tied, e.chosen});
+        r.events.push_back({e.who, decimal_text(e.time, std::max(decimals, 0L)), near_double(e.time), e.tied,
+                            e.either_order, e.chosen});
         r.choices += e.chosen ? 1 : 0;
     }
     r.why = proved.why;
@@ -173,12 +173,11 @@ run_report report_of(const exact_scene<N>& scene, const run_options& o, const st
         plan.how_far.events = proved.events.size();
     }
     for (const runnable& type : types) {
-        if (interrupted() && !r.types.empty()) {
-            break;
-        }
         line.show("running " + type.type, r.types.size(), types.size());
         history found;
-        if constexpr (N == 2) {
+        if (interrupted()) {
+            found.compared = comparison::none;
+        } else if constexpr (N == 2) {
             found = type.in_plane(scene, truth, plan);
         } else {
             found = type.in_space(scene, truth, plan);
@@ -193,6 +192,9 @@ run_report report_of(const exact_scene<N>& scene, const run_options& o, const st
     if constexpr (N == 2) {
         if (!o.paths.empty()) {
             r.paths = paths_of(proved, scene);
+            for (const exact_ball<2>& b : scene.balls) {
+                r.radii.push_back(nearest_double(b.shape.radius));
+            }
             r.outlines = outlines_of(scene);
         }
     }

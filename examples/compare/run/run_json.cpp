@@ -11,12 +11,17 @@ using json = nlohmann::ordered_json;
 json optional(const std::optional<double>& x) { return x ? json(*x) : json(nullptr); }
 
 json event_of(const proved_event& e) {
-    return {{"who", to_string(e.who)}, {"time", e.time}, {"tied", e.tied}, {"chosen", e.chosen}};
+    return {{"who", to_string(e.who)},
+            {"time", e.time},
+            {"tied", e.tied},
+            {"either_order", e.either_order},
+            {"chosen", e.chosen}};
 }
 
 json type_of(const judged_history& j) {
     json type = {{"type", j.found.type},
                  {"library", j.found.library},
+                 {"compared", to_string(j.found.compared)},
                  {"right", j.found.digits.size()},
                  {"digits", j.found.digits},
                  {"end_digits", optional(j.found.end_digits)},

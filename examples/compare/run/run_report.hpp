@@ -26,7 +26,7 @@ struct proved_event {
     graze::meeting who;
     std::string time; // in decimals
     double about;
-    bool tied, chosen;
+    bool tied, either_order, chosen;
 };
 
 // What stands in a picture of the plane: circles of mirrors, segments of walls and the ends of planes far away.
@@ -52,6 +52,7 @@ struct run_report {
     std::string distance;           // from the origin, at the end
     std::vector<judged_history> types;
     std::vector<path> paths; // the true ones, in 2D
+    std::vector<double> radii;
     std::vector<outline> outlines;
 };
 
@@ -64,8 +65,9 @@ struct run_report {
 // "double is right for 14 collisions, to 5 digits; for 10 digits take dd_real."
 [[nodiscard]] std::string conclusion(const run_report& report);
 
-// Correct digits against collisions, a line a type; the true paths beside a type's. As SVG elements, the first empty
-// where no type has a right event. Throw report::gnuplot_error.
+// Correct digits against collisions, a line a type; the true paths beside a type's, with balls at the start and the
+// end, collisions, and where the two part. As SVG elements, the first empty where no type has a right event. Throw
+// report::gnuplot_error.
 [[nodiscard]] std::string digits_picture(const run_report& report);
 [[nodiscard]] std::string paths_picture(const run_report& report, const judged_history& beside);
 

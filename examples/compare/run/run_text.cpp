@@ -24,13 +24,14 @@ std::string time_text(double t) {
 constexpr std::size_t most_listed = 20;
 
 std::string heading(const run_report& r) {
-    std::string text = r.scene + ": " + counted(r.events.size());
+    const bool nothing = r.events.empty() && r.problem.empty() && !r.interrupted;
+    std::string text = r.scene + ": " + (nothing ? "nothing collides" : counted(r.events.size()));
     if (r.problem.empty() && !r.interrupted && r.why == graze::ending::time) {
         text += " until t = " + r.end;
     } else if (!r.events.empty()) {
         text += " until t = " + time_text(r.events.back().about);
     }
-    text += r.problem.empty() && r.why == graze::ending::exhausted ? ", and none after that" : "";
+    text += !r.problem.empty() || r.why != graze::ending::exhausted ? "" : nothing ? " ever" : ", and none after that";
     text += ", every decision proved (" + std::to_string(r.bits) + " bits, ";
     text += r.attempts == 1 ? "1 attempt, " : std::to_string(r.attempts) + " attempts, ";
     text += short_number(r.seconds) + " s)\n";
@@ -47,6 +48,11 @@ std::string heading(const run_report& r) {
     if (tied > 0) {
         text += std::to_string(tied) + " of them at exactly the time of the one before";
         text += r.choices > 0 ? ", " + std::to_string(r.choices) + " where an order had to be chosen\n" : "\n";
+    }
+    const auto either =
+        std::count_if(r.events.begin(), r.events.end(), [](const proved_event& e) { return e.either_order; });
+    if (either > 0) {
+        text += std::to_string(either) + " in either order with the one before: no ball takes part in both\n";
     }
     return text;
 }
@@ -85,9 +91,10 @@ std::string events_text(const run_report& r) {
     for (std::size_t i = 0; i < r.events.size(); ++i) {
         const proved_event& e = r.events[i];
         table.line({std::to_string(i + 1), e.time,
-                    to_string(e.who) + (e.chosen ? " (order chosen)"
-                                        : e.tied ? " (same time)"
-                                                 : "")});
+                    to_string(e.who) + (e.chosen         ? " (order chosen)"
+                                        : e.tied         ? " (same time)"
+                                        : e.either_order ? " (either order)"
+                                                         : "")});
     }
     return "\n" + table.text();
 }
@@ -109,11 +116,15 @@ std::string types_text(const run_report& r) {
     for (const judged_history& j : r.types) {
         const history& h = j.found;
         const bool any = !h.digits.empty();
+        if (h.compared == comparison::none) {
+            table.line({h.type, "-", "-", "-", "-", "-", "-", "-", "not run"});
+            continue;
+        }
         table.line({h.type, std::to_string(h.digits.size()), any ? digits_text(h.digits.front()) : "-",
                     any ? digits_text(h.digits.back()) : "-", h.end_digits ? digits_text(*h.end_digits) : "-",
                     optional(h.energy_drift), optional(h.momentum_drift),
                     h.events_per_second > 0 ? short_nanoseconds(h.events_per_second) : "-",
-                    j.mistake.what == mistake::none ? (h.problem.empty() ? "" : h.problem)
+                    j.mistake.what == mistake::none ? (h.compared == comparison::part ? "interrupted" : h.problem)
                                                     : j.mistake.text + ", at t = " + time_text(j.mistake.time)});
     }
     return "\n" + table.text();
@@ -122,8 +133,13 @@ std::string types_text(const run_report& r) {
 } // namespace
 
 std::string conclusion(const run_report& r) {
+    if (r.events.empty()) {
+        return r.problem.empty() && !r.interrupted ? "Nothing collides: there is nothing to compare."
+                                                   : "No collision is proved: there is nothing to compare.";
+    }
     const auto all_right = [&](const judged_history& j) {
-        return j.mistake.what == mistake::none && j.found.digits.size() == r.events.size();
+        return j.found.compared == comparison::whole && j.mistake.what == mistake::none &&
+               j.found.digits.size() == r.events.size();
     };
     const auto digits_of = [](const history& h) {
         return h.end_digits ? *h.end_digits : h.digits.empty() ? 0 : h.digits.back();
@@ -141,6 +157,10 @@ std::string conclusion(const run_report& r) {
     }
     const std::string wanted = std::to_string(r.digits_wanted) + (r.digits_wanted == 1 ? " digit" : " digits");
     std::string text;
+    if (std::any_of(r.types.begin(), r.types.end(),
+                    [](const judged_history& j) { return j.found.compared != comparison::whole; })) {
+        return "Interrupted: nothing is concluded about what was not run.";
+    }
     if (plain != r.types.end()) {
         const auto digits = static_cast<long>(std::floor(digits_of(plain->found)));
         text = "double is right for " + std::string(all_right(*plain) ? "all " : "") +

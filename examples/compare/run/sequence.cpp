@@ -15,7 +15,7 @@ wide wide_of_interval(const certified& x) {
         return to_wide(rational_of(x.rational().get_mpq_t()));
     }
     mpfr_t middle;
-    const mpfi_interval around = x.interval();
+    const mpfi_interval around = x.around(wide_digits + 64);
     mpfr_init2(middle, around.bits() + 2);
     mpfi_mid(middle, around.get());
     wide result = 0;
@@ -61,7 +61,7 @@ template <int N>
 true_sequence<N> sequence_of(const certified_result<N>& proved, const exact_scene<N>& scene) {
     true_sequence<N> result;
     for (const certified_event<N>& e : proved.events) {
-        result.steps.push_back({e.who, e.tied, place_of<N>(e.a), place_of<N>(e.b ? *e.b : e.a)});
+        result.steps.push_back({e.who, e.tied || e.either_order, place_of<N>(e.a), place_of<N>(e.b ? *e.b : e.a)});
     }
     if (proved.problem.empty()) {
         for (const auto& b : proved.balls) {
@@ -106,12 +106,12 @@ void judge<N>::event(graze::meeting who, double time, const place& a, const plac
         right_ = false;
         return;
     }
-    // Any of those at exactly the time of the first that has not come yet.
+    // Any of those that may come as well in place of the first that has not come yet.
     std::size_t first = static_cast<std::size_t>(std::find(taken_.begin(), taken_.end(), false) - taken_.begin());
     std::size_t step = first;
     while (step < truth_.steps.size() && (taken_[step] || truth_.steps[step].who != who)) {
         ++step;
-        if (step < truth_.steps.size() && !truth_.steps[step].tied) {
+        if (step < truth_.steps.size() && !truth_.steps[step].exchangeable) {
             step = truth_.steps.size();
         }
     }
@@ -144,6 +144,10 @@ void judge<N>::end(const std::vector<place>& balls) {
     found_.end_digits = digits;
 }
 
+const char* to_string(comparison c) noexcept {
+    return c == comparison::whole ? "whole" : c == comparison::part ? "part" : "none";
+}
+
 const char* to_string(mistake m) noexcept {
     switch (m) {
     case mistake::none:
@@ -163,8 +167,9 @@ const char* to_string(mistake m) noexcept {
 template <int N>
 first_mistake first_mistake_of(const history& found, const certified_result<N>& proved) {
     const std::size_t at = found.digits.size(), all = proved.events.size();
-    const bool known_further = proved.problem.empty();
-    if (at >= all && (found.events.size() <= all || !known_further)) {
+    const bool known_further =
+        proved.problem.empty() && proved.why != graze::ending::stopped && proved.why != graze::ending::cascade;
+    if (found.compared == comparison::none || (at >= all && (found.events.size() <= all || !known_further))) {
         return {mistake::none, at, 0, ""};
     }
     // The right ones among the first `at` are the truth's first, but for those of one time, which may be exchanged.
@@ -180,6 +185,9 @@ first_mistake first_mistake_of(const history& found, const certified_result<N>& 
     const auto own = [](const graze::meeting& m) { return m; };
     const auto true_name = [](const certified_event<N>& e) { return e.who; };
     if (at >= found.events.size()) {
+        if (found.compared == comparison::part) {
+            return {mistake::none, at, 0, ""};
+        }
         const certified_event<N>& due = proved.events[at];
         return {found.problem.empty() ? mistake::missed : mistake::other, at, near_double(due.time),
                 to_string(due.who) + (found.problem.empty() ? " is missed" : ": " + found.problem)};
@@ -189,8 +197,11 @@ first_mistake first_mistake_of(const history& found, const certified_result<N>& 
         return {mistake::invented, at, found.times[at], to_string(has) + " is invented"};
     }
     const certified_event<N>& due = proved.events[at];
-    const bool happens = comes(proved.events, at, has, true_name), is_had = comes(found.events, at, due.who, own);
     const double due_at = near_double(due.time);
+    // What comes after the proved end may happen, and what is due may come after the end of what was run.
+    const bool happens = comes(proved.events, at, has, true_name) ||
+                         (!known_further && found.times[at] >= near_double(proved.events.back().time));
+    const bool is_had = comes(found.events, at, due.who, own) || found.compared == comparison::part || !known_further;
     if (happens && is_had) {
         return {mistake::out_of_order, at, std::min(found.times[at], due_at),
                 to_string(has) + " comes before " + to_string(due.who)};

@@ -12,12 +12,12 @@
 
 namespace compare::run {
 
-// The proved run in numbers of wide_digits bits: who met, whether at exactly the time of the step before, and where the
-// balls that took part were then; b is a's place where a plane or wall was met.
+// The proved run in numbers of wide_digits bits: who met, whether it may as well be told before the step before, and
+// where the balls that took part were then; b is a's place where a plane or wall was met.
 template <int N>
 struct true_step {
     graze::meeting who;
-    bool tied;
+    bool exchangeable;
     graze::vec<N, wide> a, b;
 };
 
@@ -36,9 +36,15 @@ template <int N>
 // Where a ball went in the plane: its start, its events and the end; (time, x, y).
 using path = std::vector<std::array<double, 3>>;
 
+// How much of the proved sequence a type was run for: all of it; a part, for the user interrupted it; nothing.
+enum class comparison { whole, part, none };
+
+[[nodiscard]] const char* to_string(comparison c) noexcept;
+
 // What became of a run in a number type.
 struct history {
     std::string type, library;
+    comparison compared = comparison::whole;
     std::vector<graze::meeting> events;
     std::vector<double> times;
     std::vector<double> digits;       // at each event, while they are the true ones: decimal, of the worse ball's place
@@ -79,7 +85,7 @@ struct first_mistake {
     std::string text;   // "ball 3 and wall 0 is missed"
 };
 
-// early: the truth is known no further than its own events.
+// Of what was not run nothing is said, nor of what comes after the last event that is proved.
 template <int N>
 [[nodiscard]] first_mistake first_mistake_of(const history& found, const certified_result<N>& proved);
 

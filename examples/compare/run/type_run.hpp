@@ -76,6 +76,10 @@ class type_run {
                 return !interrupted();
             });
             const graze::outcome done = run.advance(limits_, watch);
+            if (done.why == graze::ending::stopped) {
+                found.compared = comparison::part;
+                return found;
+            }
             if (done.why == graze::ending::cascade) {
                 found.problem = "events without end while time stands still";
             }
@@ -179,7 +183,7 @@ class type_run {
         if (found.events.empty() || !(plan_.timing > 0)) {
             return;
         }
-        const observer nobody([](const graze::run_event<M>&) { return true; });
+        const observer nobody([](const graze::run_event<M>&) { return !interrupted(); });
         double spent = 0;
         std::uint64_t events = 0;
         while (spent < plan_.timing && !interrupted()) {
@@ -188,7 +192,7 @@ class type_run {
             events += run.advance(limits_, nobody).events;
             spent += watch.seconds();
         }
-        found.events_per_second = static_cast<double>(events) / spent;
+        found.events_per_second = spent > 0 ? static_cast<double>(events) / spent : 0;
     }
 };
 

@@ -1,0 +1,170 @@
+// The second opinion on events: it lets what is true pass, and refutes what is false whoever says it.
+#include "run/event_check.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace compare;
+using namespace compare::run;
+
+namespace {
+
+constexpr long bits = 100;
+using plane_flight = graze::flight<2, certified>;
+
+certified number(int x, int over = 1) { return {exact(x, over), bits}; }
+graze::vec<2, certified> at(const certified& x, const certified& y) { return {{x, y}}; }
+
+graze::ball<2, certified> ball_of(const graze::vec<2, certified>& x, const graze::vec<2, certified>& u,
+                                  const certified& r) {
+    return {x, u, r, number(1)};
+}
+
+constexpr graze::partner ball = graze::partner::ball, plane = graze::partner::plane, wall = graze::partner::wall;
+
+// What the check says: empty if nothing.
+template <class F>
+std::string said(F f) {
+    try {
+        f();
+        return {};
+    } catch (const refuted_event& error) {
+        return error.what();
+    } catch (const graze::undecided& error) {
+        return std::string("open: ") + error.what();
+    }
+}
+
+bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+// A point above three walls; the last one is met at t = 6 at (0, -5).
+owned_scene<2, certified> point_and_walls() {
+    owned_scene<2, certified> s;
+    s.balls.push_back(ball_of(at(number(0), number(1)), at(number(0), number(-1)), number(0)));
+    s.walls.push_back({at(number(3), number(0)), {at(number(1), number(0))}}); // beside the way
+    s.walls.push_back({at(number(-1), number(-5)), {at(number(2), number(0))}});
+    return s;
+}
+
+// Two balls of radius 1 that meet head on at t = 3 and a plane behind the second one.
+owned_scene<2, certified> two_balls() {
+    owned_scene<2, certified> s;
+    s.balls.push_back(ball_of(at(number(0), number(0)), at(number(1), number(0)), number(1)));
+    s.balls.push_back(ball_of(at(number(5), number(0)), at(number(0), number(0)), number(1)));
+    s.planes.push_back({at(number(10), number(0)), at(number(2), number(0))});
+    return s;
+}
+
+plane_flight flight_of(const certified& x, const certified& u, const certified& since) {
+    return {ball_of(at(x, number(0)), at(u, number(0)), number(1)), since};
+}
+
+} // namespace
+
+TEST_CASE("a collision away from its wall is refuted") {
+    const auto scene = point_and_walls();
+    event_check<2> check(scene);
+    // In the line of wall 0, three units from its corner: where the plane of the wall is met at t = 1.
+    const plane_flight back{ball_of(at(number(0), number(0)), at(number(0), number(1)), number(0)), number(1)};
+    const std::string text = said([&] { check.event({wall, 0, 0}, number(1), back, nullptr); });
+    CHECK(holds(text, "ball 0 and wall 0 do not touch"));
+    CHECK(holds(text, "t = 1"));
+    const plane_flight right{ball_of(at(number(0), number(-5)), at(number(0), number(1)), number(0)), number(6)};
+    CHECK(said([&] { check.event({wall, 0, 1}, number(6), right, nullptr); }).empty());
+    CHECK(said([&] { check.end_of_all(); }).empty());
+}
+
+TEST_CASE("an event that was passed over is seen at the next one, and at the end") {
+    const auto scene = point_and_walls();
+    event_check<2> check(scene);
+    CHECK(holds(said([&] { check.end(number(7)); }), "ball 0 and wall 1 met before that"));
+    CHECK(holds(said([&] { check.end_of_all(); }), "ball 0 and wall 1 met before that"));
+    CHECK(said([&] { check.end(number(5)); }).empty());
+
+    const auto balls = two_balls();
+    event_check<2> other(balls);
+    CHECK(holds(said([&] {
+                    other.event({plane, 0, 0}, number(9), flight_of(number(9), number(-1), number(9)), nullptr);
+                }),
+                "ball 0 and ball 1 met before that"));
+}
+
+TEST_CASE("the true course of two balls and a plane passes") {
+    const auto scene = two_balls();
+    event_check<2> check(scene);
+    const plane_flight a = flight_of(number(3), number(0), number(3)), b = flight_of(number(5), number(1), number(3));
+    CHECK(said([&] { check.event({ball, 0, 1}, number(3), a, &b); }).empty());
+    CHECK(said([&] {
+              check.event({plane, 1, 0}, number(7), flight_of(number(9), number(-1), number(7)), nullptr);
+          }).empty());
+    const plane_flight c = flight_of(number(3), number(-1), number(11)),
+                       d = flight_of(number(5), number(0), number(11));
+    CHECK(said([&] { check.event({ball, 0, 1}, number(11), c, &d); }).empty());
+    CHECK(said([&] { check.end_of_all(); }).empty());
+}
+
+TEST_CASE("what breaks a law of collision is refuted") {
+    const auto scene = two_balls();
+    const auto says = [&](const certified& u, const certified& v, const certified& x, const certified& t) {
+        event_check<2> check(scene);
+        const plane_flight a = flight_of(x, u, t), b = flight_of(number(5), v, t);
+        return said([&] { check.event({ball, 0, 1}, t, a, &b); });
+    };
+    CHECK(says(number(0), number(1), number(3), number(3)).empty());
+    const char* laws = "laws of collision";
+    CHECK(holds(says(number(1), number(0), number(3), number(3)), laws));                // on through each other
+    CHECK(holds(says(number(1, 4), number(3, 4), number(3), number(3)), laws));          // energy lost
+    CHECK(holds(says(number(0), number(-1), number(3), number(3)), laws));               // momentum lost
+    CHECK(holds(says(number(0), number(1), number(301, 100), number(3)), laws));         // set down elsewhere
+    CHECK(holds(says(number(0), number(1), number(2), number(2)), "do not touch"));      // too early
+    CHECK(holds(says(number(0), number(1), number(4), number(4)), "inside each other")); // too late
+
+    event_check<2> check(scene);
+    const plane_flight a{ball_of(at(number(3), number(0)), at(number(0), number(0)), number(1)), number(3)};
+    const plane_flight b{ball_of(at(number(5), number(0)), at(number(3, 5), number(4, 5)), number(1)), number(3)};
+    CHECK(holds(said([&] { check.event({ball, 0, 1}, number(3), a, &b); }), laws)); // aside
+}
+
+TEST_CASE("what enclosures leave open is said to be open") {
+    const auto scene = two_balls();
+    event_check<2> check(scene);
+    certified wide = sqrt(number(9)).rounded(3) * number(1000, 1001).rounded(3); // 3 to less than three bits
+    const plane_flight a = flight_of(number(3), number(0), wide), b = flight_of(number(5), number(1), wide);
+    CHECK(holds(said([&] { check.event({ball, 0, 1}, wide, a, &b); }), "open: where they meet"));
+}
+
+TEST_CASE("a point goes through no wall at the instant of an event") {
+    // It comes to where the middle of wall 1 crosses wall 0, bounces off wall 0 and would be on the other side of
+    // wall 1.
+    owned_scene<2, certified> s;
+    s.balls.push_back(ball_of(at(number(-1), number(1)), at(number(1), number(-1)), number(0)));
+    s.walls.push_back({at(number(-2), number(0)), {at(number(4), number(0))}});
+    s.walls.push_back({at(number(0), number(-1)), {at(number(0), number(2))}});
+    event_check<2> check(s);
+    const plane_flight up{ball_of(at(number(0), number(0)), at(number(1), number(1)), number(0)), number(1)};
+    CHECK(said([&] { check.event({wall, 0, 0}, number(1), up, nullptr); }).empty());
+    CHECK(holds(said([&] { check.end(number(2)); }), "ball 0 and wall 1 met, and it was not told"));
+    const plane_flight back{ball_of(at(number(0), number(0)), at(number(-1), number(1)), number(0)), number(1)};
+    CHECK(said([&] { check.event({wall, 0, 1}, number(1), back, nullptr); }).empty());
+    CHECK(said([&] { check.end(number(2)); }).empty());
+
+    s.walls[1] = {at(number(0), number(-1)), {at(number(0), number(1))}}; // a T: wall 1 ends there
+    event_check<2> other(s);
+    CHECK(said([&] { other.event({wall, 0, 0}, number(1), up, nullptr); }).empty());
+    CHECK(said([&] { other.end(number(2)); }).empty());
+}
+
+TEST_CASE("clearances of a wall in space") {
+    const graze::wall<3, certified> w{{{number(0), number(0), number(0)}},
+                                      {{{{number(4), number(0), number(0)}}, {{number(2), number(2), number(0)}}}}};
+    const auto nearest = [&](int x, int y, int z) { return nearest_point<3>(w, {{number(x), number(y), number(z)}}); };
+    const auto is = [](const graze::vec<3, certified>& p, const certified& x, const certified& y) {
+        return (p[0] - x).certain_sign() == 0 && (p[1] - y).certain_sign() == 0 && p[2].certain_sign() == 0;
+    };
+    CHECK(is(nearest(3, 1, 7), number(3), number(1)));  // above
+    CHECK(is(nearest(2, -5, 1), number(2), number(0))); // beside an edge
+    CHECK(is(nearest(0, 2, 3), number(1), number(1)));  // beside the slanting one: on x = y
+    CHECK(is(nearest(9, 9, 9), number(6), number(2)));  // a corner
+    CHECK(is(nearest(-1, -1, 0), number(0), number(0)));
+}
