@@ -128,7 +128,9 @@ options parse_options(int argc, const char* const* argv) {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         o.what = action::help;
-        o.help = (diff->parsed() ? diff : running->parsed() ? running : &app)->help();
+        o.help = diff->parsed()      ? diff->help(app.get_name())
+                 : running->parsed() ? running->help(app.get_name())
+                                     : app.help();
         return o;
     } catch (const CLI::ParseError& error) {
         throw input_error(one_line(error.what()));

@@ -4,8 +4,15 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <string>
+#include <thread>
 #include <vector>
 
 using workshop::bench, workshop::ending, workshop::content_of, workshop::holds;
@@ -87,6 +94,12 @@ TEST_CASE("a type that goes wrong is told where, and pictures show it") {
         CHECK(holds(svg, "float"));
         CHECK(holds(svg, "<path"));
     }
+    const std::string paths = content_of(here / "paths.svg");
+    CHECK(holds(paths, "they part at t = "));
+    const ending together =
+        here.run("run " GRAZE_SCENES "/sinai.json --collisions 5 --types double --timing 0 --paths paths.svg");
+    CHECK(together.code == 0);
+    CHECK(holds(content_of(here / "paths.svg"), "they stay together"));
 }
 
 TEST_CASE("a run that cannot be finished keeps what it has") {
@@ -101,6 +114,91 @@ TEST_CASE("a run that cannot be finished keeps what it has") {
     CHECK(holds(e.out, "1 collision until t = 3, every decision proved"));
     CHECK(holds(e.out, "both masses are infinite"));
     CHECK(holds(e.out, "ball 2 and ball 3"));
+}
+
+namespace {
+
+// Starts a run, interrupts it as soon as it takes notice of that and some time has passed, and waits for its end.
+ending interrupted(const bench& here, const std::string& arguments, std::chrono::milliseconds later) {
+    const std::string command =
+        "cd '" + (here / "").string() + "' && exec '" GRAZE_COMPARE "' " + arguments + " >out 2>err";
+    const pid_t program = fork();
+    REQUIRE(program >= 0);
+    if (program == 0) {
+        execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        _exit(127);
+    }
+    const auto takes_notice = [&] { // by the mask of signals that it catches
+        const std::string status = content_of("/proc/" + std::to_string(program) + "/status");
+        const auto mask = status.find("SigCgt:");
+        return holds(status, "graze-compare") && mask != std::string::npos &&
+               (std::stoull(status.substr(mask + 7), nullptr, 16) >> (SIGINT - 1U) & 1U) != 0;
+    };
+    while (!takes_notice() && kill(program, 0) == 0 && waitpid(program, nullptr, WNOHANG) == 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    std::this_thread::sleep_for(later);
+    REQUIRE(kill(program, SIGINT) == 0);
+    int status = 0;
+    REQUIRE(waitpid(program, &status, 0) == program);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(here / "out"), content_of(here / "err")};
+}
+
+} // namespace
+
+TEST_CASE("an interrupted run says what was not run, and finds no fault with it") {
+    // At once, which is within the proof, and when the first type is being timed: whatever it hits.
+    for (const int later : {0, 500}) {
+        const bench here;
+        const ending e =
+            interrupted(here, "run " GRAZE_SCENES "/galperin.json --collisions 1000 --timing 3600 --json out.json",
+                        std::chrono::milliseconds(later));
+        INFO(e.out << e.err);
+        CHECK(e.code == 1);
+        CHECK(e.err.empty());
+        CHECK(!holds(e.out, "missed"));
+        CHECK(!holds(e.out, "no type here is enough"));
+        CHECK(holds(e.out, "not run"));
+        CHECK(holds(e.out, "Interrupted"));
+        const auto all = nlohmann::json::parse(content_of(here / "out.json"));
+        CHECK(all["interrupted"] == true);
+        CHECK(all["types"].size() > 3);
+        for (const auto& t : all["types"]) {
+            CHECK(t["first_wrong"].is_null());
+            CHECK(!t["type"].get<std::string>().empty());
+        }
+        CHECK(all["types"].back()["compared"] == "none");
+    }
+}
+
+TEST_CASE("nothing collides") {
+    const bench here;
+    here.write("apart.json", R"({"dimension": 2, "balls": [
+        {"position": [0, 0], "velocity": [-1, 0], "radius": 1}, {"position": [5, 0], "velocity": [1, 0], "radius": 1}]})");
+    const ending e = here.run("run apart.json --until 30 --types double,float --timing 0");
+    INFO(e.out << e.err);
+    CHECK(e.code == 0);
+    CHECK(holds(e.out, "nothing ever collides"));
+    CHECK(holds(e.out, "Nothing collides: there is nothing to compare."));
+    CHECK(!holds(e.out, "right for"));
+}
+
+TEST_CASE("order between events that share no ball is nobody's mistake") {
+    const bench here;
+    const ending e =
+        here.run("run " GRAZE_TEST_SCENES "/mirrored_copies.json --collisions 24 --types double --timing 0 --events");
+    INFO(e.out << e.err);
+    CHECK(e.code == 0);
+    CHECK(holds(e.out, "24 collisions"));
+    CHECK(holds(e.out, "(either order)"));
+    CHECK(holds(e.out, "in either order with the one before"));
+    CHECK(holds(e.out, "double is right for all 24 collisions"));
+}
+
+TEST_CASE("the help of the subcommand says how it is called") {
+    const ending e = bench().run("run --help");
+    CHECK(e.code == 0);
+    CHECK(holds(e.out, "graze-compare run"));
 }
 
 TEST_CASE("bad input ends with 2 and one line that says what is wrong") {
@@ -118,6 +216,10 @@ TEST_CASE("bad input ends with 2 and one line that says what is wrong") {
         {"run " + scene + "--until 1 --digits 0", "--digits"},
         {"run " + scene + "--until 1 --types flaot", "flaot"},
         {"run " + scene + "--until 1 --distance 7", "no ball 7"},
+        {"run " + scene + "--until 1 --distance -1", "--distance: -1 is not a ball's number"},
+        {"run " + scene + "--until 1 --timing nan", "--timing"},
+        {"run " + scene + "--until 1 --certified --types double", "--certified"},
+        {"run " + scene + "--until 1 --beside float", "--paths"},
         {"run " + scene + "--until 1 --paths p.svg --beside flaot", "flaot"},
         {"run " + scene + "--until 1 --certified --picture p.svg", "--certified"},
         {"run " + scene + "--until 1 --json nowhere/out.json", "nowhere"},

@@ -30,8 +30,7 @@ CLI::App* add_run_command(CLI::App& app, raw_run_options& to) {
     run->add_option("--types", o.types, "Only these number types, separated by commas")->delimiter(',');
     run->add_flag("--certified", o.certified_alone, "The proved run alone, no number type beside it");
     run->add_flag("--events", o.with_events, "List the proved sequence");
-    run->add_option("--distance", to.distance, "Print how far this ball is from the origin at the end")
-        ->check(CLI::NonNegativeNumber);
+    run->add_option("--distance", to.distance, "Print how far this ball is from the origin at the end");
     run->add_option("--timing", o.timing, "Seconds to spend on each type's events per second; 0: nothing is timed")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 3600.0));
@@ -63,7 +62,19 @@ run_options checked(const raw_run_options& raw, const CLI::App& command) {
         o.how_far.events = raw.collisions;
     }
     if (given("--distance")) {
+        if (raw.distance < 0) {
+            throw input_error("--distance: " + std::to_string(raw.distance) + " is not a ball's number");
+        }
         o.distance = raw.distance;
+    }
+    if (!(o.timing >= 0)) {
+        throw input_error("--timing: not a number of seconds");
+    }
+    if (o.certified_alone && !o.types.empty()) {
+        throw input_error("--certified: leaves no type for --types");
+    }
+    if (given("--beside") && o.paths.empty()) {
+        throw input_error("--beside: the type of the picture of --paths, which is not asked for");
     }
     if (o.certified_alone && (!o.picture.empty() || !o.paths.empty())) {
         throw input_error("--certified: leaves no type for --picture and --paths");

@@ -25,13 +25,16 @@ constexpr std::size_t most_listed = 20;
 
 std::string heading(const run_report& r) {
     const bool nothing = r.events.empty() && r.problem.empty() && !r.interrupted;
-    std::string text = r.scene + ": " + (nothing ? "nothing collides" : counted(r.events.size()));
+    std::string text = r.scene + ": " +
+                       (!nothing                            ? counted(r.events.size())
+                        : r.why == graze::ending::exhausted ? "nothing ever collides"
+                                                            : "nothing collides");
     if (r.problem.empty() && !r.interrupted && r.why == graze::ending::time) {
         text += " until t = " + r.end;
     } else if (!r.events.empty()) {
         text += " until t = " + time_text(r.events.back().about);
     }
-    text += !r.problem.empty() || r.why != graze::ending::exhausted ? "" : nothing ? " ever" : ", and none after that";
+    text += r.problem.empty() && r.why == graze::ending::exhausted && !nothing ? ", and none after that" : "";
     text += ", every decision proved (" + std::to_string(r.bits) + " bits, ";
     text += r.attempts == 1 ? "1 attempt, " : std::to_string(r.attempts) + " attempts, ";
     text += short_number(r.seconds) + " s)\n";

@@ -68,10 +68,19 @@ void select_earliest_known(const moving_scene<M>& scene, const std::vector<due<t
         }
     }
     earliest.clear();
+    bool certain = true;
     for (std::size_t i = 0; i < nearest.size(); ++i) {
-        if (order(i, first, true) == 0) {
+        const std::optional<int> known = order(i, first, true);
+        certain = certain && known;
+        if (known == 0) {
             earliest.push_back(nearest[i]);
         }
+    }
+    if (!certain) { // what else is of its time may share a ball with what waits, and waits too
+        const foreseen& one = nearest[first].what;
+        std::erase_if(earliest, [&](const due<typename M::time>& d) {
+            return !is_of_same_bodies(d.what, one) && !share_a_ball(scene, d.what, one);
+        });
     }
 }
 
