@@ -4,65 +4,12 @@
 // far away; √D is the speed at which they close times R. In the plane and in space, with any lengths and velocities.
 #pragma once
 
+#include <graze/contact/bounded_components.hpp>
 #include <graze/contact/bounded_impact.hpp>
-#include <graze/contact/fast_contact.hpp>
 #include <graze/formula/contact.hpp>
 #include <graze/time/further_time.hpp>
 
 namespace graze::inline v0_1::detail {
-
-// Keeps what is bounded, by its number.
-struct bounded_components {
-    bounded<double> found[16];
-    parts known = 0;
-
-    [[gnu::always_inline]] void operator()(const bounded<double>& x, int number) noexcept {
-        found[number] = x;
-        known |= parts{1} << number;
-    }
-    [[gnu::always_inline]] void operator()(const bounded<lanes>& x, int first, int second) noexcept {
-        (*this)(bounded<double>{x.high[0], x.low[0], x.error[0]}, first);
-        (*this)(bounded<double>{x.high[1], x.low[1], x.error[1]}, second);
-    }
-};
-
-// x 2^scale rounded to nearest, by one comparison of its ends where both x and the result are normal numbers of T: of
-// floats only if nothing is scaled.
-template <class T>
-[[nodiscard]] inline std::optional<T> round_component(const bounded<double>& x, int scale) noexcept {
-    if (scale == 0 || std::is_same_v<T, double>) {
-        const ends<double> interval = ends_of<T>(x);
-        if (agree<T>(interval)) {
-            if (scale == 0) {
-                return static_cast<T>(interval.upper);
-            }
-            const std::uint64_t bits = bits_of(interval.upper);
-            const int exponent = static_cast<int>(bits >> 52 & 0x7ff) + scale;
-            if (0 < exponent && exponent < 0x7ff) {
-                const auto shift = static_cast<std::uint64_t>(static_cast<std::int64_t>(scale)) << 52;
-                return static_cast<T>(std::bit_cast<double>(bits + shift));
-            }
-        }
-    }
-    return rounded_scaled<T>(x, scale, rounding::nearest);
-}
-
-// Writes those of the wanted components that are certain, from units of lengths and velocities of 2^length and
-// 2^velocity, and returns which.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] parts round_components(contact<N, T>& c, parts wanted, const bounded_components& x,
-                                                    int length, int velocity) noexcept {
-    parts certain = 0;
-    for (parts rest = wanted & x.known; rest != 0; rest &= rest - 1) {
-        const int number = std::countr_zero(rest);
-        const int scale = number == 0 ? length - velocity : number < 7 ? length : number < 10 ? 0 : velocity;
-        if (const auto rounded = round_component<T>(x.found[number], scale)) {
-            component(c, number) = *rounded;
-            certain |= parts{1} << number;
-        }
-    }
-    return certain;
-}
 
 // What y and n = y/R can be off by. The analysis runs separation_at_contact on Δu, and on Δx × Δu and √D over a, 1/a
 // being right to 9.2u² with a low part of 2.02u, that of √D up to 1.5u; a itself is off by of_a, relatively, and so are
@@ -84,7 +31,7 @@ struct separation_bounds {
     }();
 };
 
-// Two balls, one of which may be taken from the other's position and y where that is known better.
+// Where both balls are; each from its own time, or from where the other is and y if that is known better.
 template <bool Fused, int N, class F>
 [[gnu::always_inline]] inline void bound_positions(const ball<N, double>& a, const ball<N, double>& b,
                                                    const bounded<double>& time, const vec<N, loose_word<Fused>>& y,
