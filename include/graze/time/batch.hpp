@@ -6,7 +6,8 @@
 #include <graze/time/time_of_walls.hpp>
 
 #include <algorithm>
-#include <limits>
+#include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 
@@ -18,16 +19,21 @@ namespace detail {
 template <class T>
 using rounded_time_of = typename impact_time<2, T>::rounded_type;
 
-// x's time of impact with y, rounded; +infinity if there is none.
+// x's time of impact with y, rounded; +infinity if there is none, by its bits: under -ffast-math clang takes what would
+// return or pass an infinity for code that is not reached.
 template <int N, class T, class Y>
-[[nodiscard]] rounded_time_of<T> rounded_impact(const ball<N, T>& x, const Y& y, rounding mode) {
+void round_impact(const ball<N, T>& x, const Y& y, rounding mode, rounded_time_of<T>& rounded) {
+    using number = rounded_time_of<T>;
     const auto time = graze::time_of_impact(x, y);
-    if (!time) {
-        return std::numeric_limits<rounded_time_of<T>>::infinity();
+    if (time) {
+        rounded = mode == rounding::nearest    ? static_cast<number>(*time)
+                  : mode == rounding::downward ? time->lower()
+                                               : time->upper();
+    } else {
+        constexpr auto bits = format_of<number>.infinite_bits();
+        const auto infinity = static_cast<std::conditional_t<sizeof(number) == 4, std::uint32_t, std::uint64_t>>(bits);
+        std::memcpy(&rounded, &infinity, sizeof(number));
     }
-    return mode == rounding::nearest    ? static_cast<rounded_time_of<T>>(*time)
-           : mode == rounding::downward ? time->lower()
-                                        : time->upper();
 }
 
 template <class A, class B>
@@ -43,7 +49,7 @@ inline constexpr bool has_time_lanes = [] {
 template <int Wider = compiled_register_bytes, class A, class B>
 void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scalar>> time, rounding mode) {
     require_size(a, b, time.size());
-    const auto one = [&](std::size_t i) { of_pair(i, [&] { time[i] = rounded_impact(a.at(i), b.at(i), mode); }); };
+    const auto one = [&](std::size_t i) { of_pair(i, [&] { round_impact(a.at(i), b.at(i), mode, time[i]); }); };
     if constexpr (has_time_lanes<A, B>) {
         for (std::size_t from = 0; from < time.size(); from += block_size) {
             const std::size_t count = std::min(block_size, time.size() - from);

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
 namespace graze::inline v0_1::detail {
 
@@ -32,7 +31,7 @@ template <int N, class V>
     lane_times<V> r;
     r.open = lane.open;
     r.hits = bits_of(hit) & ~r.open;
-    const mask infinity = mask::filled(std::bit_cast<typename mask::integer>(std::numeric_limits<T>::infinity()));
+    const mask infinity = mask::filled(static_cast<typename mask::integer>(format_of<T>.infinite_bits()));
     mask time = never & infinity;
     if constexpr (std::is_same_v<T, double>) { // of floats in doubles later
         // Of the others, something that neither divides by zero nor is no number.
