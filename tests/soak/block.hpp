@@ -49,6 +49,7 @@ class block {
         ++seen_.pairs;
         ++seen_.encounters.at(static_cast<std::size_t>(met.what));
         seen_.exact += decided_by == graze::stage::exact ? 1U : 0U;
+        seen_.hard += decided_by != graze::stage::filter ? 1U : 0U;
         const auto time = graze::time_of_impact(a, b);
         const bool right = static_cast<int>(what) == static_cast<int>(met.what) &&
                            graze::overlaps(a, b) == met.overlaps && time.has_value() == met.time.has_value();

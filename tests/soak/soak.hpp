@@ -27,6 +27,7 @@ inline constexpr auto families_drawn = [] {
 // The counts of one family in one dimension.
 struct tally {
     std::uint64_t pairs = 0, exact = 0, wrong = 0;
+    std::uint64_t hard = 0; // of which the filter was not certain
     std::array<std::uint64_t, 5> encounters{};
     std::uint64_t orders = 0, exact_orders = 0, ties = 0, wrong_orders = 0;
 

@@ -90,7 +90,7 @@ class lagrange_bounds {
     static constexpr double of_rest = constants().of_rest;
 };
 
-// Formulas of a motion in numbers V. Motion: its numbers in the analysis, as value<count>(input, exact). What
+// Formulas of a motion in numbers V; Motion::value<N, Arithmetic>() is the same motion in the analysis. What
 // underflows, or is flushed to zero, in lengths L and velocities V is a few times 2^-1022 (L + V + L V) after one
 // product; once more multiplied it is below 2^-1010 (1 + L²)(1 + V²), L, V < 2^100.
 template <class Arithmetic, class Motion, int N, class V>
