@@ -3,3 +3,7 @@
 
 #include <graze/predicate/overlaps_of_flights.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
+
+#if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)
+#include <graze/predicate/compiled.hpp>
+#endif

@@ -5,3 +5,9 @@
 #include <graze/scene/exact_mechanics.hpp>
 #include <graze/scene/plain_mechanics.hpp>
 #include <graze/scene/run.hpp>
+
+#if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)
+#include <graze/contact/compiled.hpp>
+#include <graze/predicate/compiled.hpp>
+#include <graze/time/compiled.hpp>
+#endif

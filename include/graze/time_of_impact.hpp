@@ -4,3 +4,8 @@
 #include <graze/time/time_of_flights.hpp>
 #include <graze/time/time_of_shapes.hpp>
 #include <graze/time/time_of_walls.hpp>
+
+#if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)
+#include <graze/predicate/compiled.hpp>
+#include <graze/time/compiled.hpp>
+#endif

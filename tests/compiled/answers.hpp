@@ -145,14 +145,6 @@ std::uint64_t hash_of_answers(int pairs) {
         const auto balls = graze::time_of_impact(a, b), wall = graze::time_of_impact(a, w);
         take_times<T>(h, balls, wall);
         take_times<T>(h, graze::time_of_impact(a, p), balls);
-        const graze::flight<N, T> f{a, number()}, g{b, number()};
-        h.take(static_cast<int>(graze::classify(f, g)));
-        if (const auto c = graze::collide(f, g)) {
-            h.take(c->time);
-            h.take(c->position_a);
-            h.take(c->velocity_b);
-        }
-        take_times<T>(h, graze::time_of_impact(f, g), graze::time_of_impact(f, w));
     }
     return h.value();
 }

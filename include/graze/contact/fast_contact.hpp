@@ -109,8 +109,9 @@ template <int N, class T>
 
 // Fills in the components that are certain and returns the others; what: hit or overlap.
 template <int N, class T>
-[[nodiscard]] inline parts fast_contact(contact<N, T>& c, encounter what, const ball<N, T>& a, const ball<N, T>& b,
-                                        double mass_a, double mass_b, double time) noexcept {
+[[nodiscard, gnu::noinline]] inline parts fast_contact(contact<N, T>& c, encounter what, const ball<N, T>& a,
+                                                       const ball<N, T>& b, double mass_a, double mass_b,
+                                                       double time) noexcept {
     constexpr parts of_motion = 0x7fU; // time and positions
     const bool overlap = what == encounter::overlap;
     parts certain = with_best_products(contact_by_doubles<N, T>{c, a, b, mass_a, mass_b, time, overlap});

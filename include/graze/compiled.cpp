@@ -1,0 +1,183 @@
+// The source of graze::compiled: the cold stages of decisions, times and contacts, for float and double in the plane
+// and in space. It is compiled with exceptions and without -ffast-math; what uses it may be compiled with either.
+#include <graze/collide.hpp>
+#include <graze/time_of_impact.hpp>
+
+namespace graze::inline v0_1::detail {
+
+template encounter classify_exactly(const ball<2, float>&, const ball<2, float>&);
+template encounter classify_exactly(const ball<3, float>&, const ball<3, float>&);
+template encounter classify_exactly(const ball<2, double>&, const ball<2, double>&);
+template encounter classify_exactly(const ball<3, double>&, const ball<3, double>&);
+template decided_balls classify_further(const ball<2, float>&, const ball<2, float>&);
+template decided_balls classify_further(const ball<3, float>&, const ball<3, float>&);
+template decided_balls classify_further(const ball<2, double>&, const ball<2, double>&);
+template decided_balls classify_further(const ball<3, double>&, const ball<3, double>&);
+template flat_answer decide_plane_slowly(const ball<2, float>&, const plane<2, float>&, flat_question, stage&);
+template flat_answer decide_plane_slowly(const ball<3, float>&, const plane<3, float>&, flat_question, stage&);
+template flat_answer decide_plane_slowly(const ball<2, double>&, const plane<2, double>&, flat_question, stage&);
+template flat_answer decide_plane_slowly(const ball<3, double>&, const plane<3, double>&, flat_question, stage&);
+template flat_answer decide_flat_slowly(const ball<2, float>&, const wall<2, float>&, flat_question, stage&);
+template flat_answer decide_flat_slowly(const ball<3, float>&, const wall<3, float>&, flat_question, stage&);
+template flat_answer decide_flat_slowly(const ball<2, double>&, const wall<2, double>&, flat_question, stage&);
+template flat_answer decide_flat_slowly(const ball<3, double>&, const wall<3, double>&, flat_question, stage&);
+template flat_answer decide_flat_slowly(const ball<3, float>&, const triangle<float>&, flat_question, stage&);
+template flat_answer decide_flat_slowly(const ball<3, double>&, const triangle<double>&, flat_question, stage&);
+template encounter classify_exactly(const flight<2, float>&, const flight<2, float>&);
+template encounter classify_exactly(const flight<3, float>&, const flight<3, float>&);
+template encounter classify_exactly(const flight<2, double>&, const flight<2, double>&);
+template encounter classify_exactly(const flight<3, double>&, const flight<3, double>&);
+
+template int compare_exactly(const event<2, float>&, const event<2, float>&);
+template int compare_exactly(const event<3, float>&, const event<3, float>&);
+template int compare_exactly(const event<2, double>&, const event<2, double>&);
+template int compare_exactly(const event<3, double>&, const event<3, double>&);
+template int compare_exactly(const event<2, float>&, const binary&);
+template int compare_exactly(const event<3, float>&, const binary&);
+template int compare_exactly(const event<2, double>&, const binary&);
+template int compare_exactly(const event<3, double>&, const binary&);
+template float round_exactly<float>(const event<2, float>&, rounding);
+template float round_exactly<float>(const event<3, float>&, rounding);
+template double round_exactly<double>(const event<2, double>&, rounding);
+template double round_exactly<double>(const event<3, double>&, rounding);
+template std::optional<float> round_fast<float>(const event<2, float>&, double, rounding) noexcept;
+template std::optional<float> round_fast<float>(const event<3, float>&, double, rounding) noexcept;
+template std::optional<double> round_fast<double>(const event<2, double>&, double, rounding) noexcept;
+template std::optional<double> round_fast<double>(const event<3, double>&, double, rounding) noexcept;
+template std::optional<impact_time<2, float>> time_of_overlap(const ball<2, float>&, const ball<2, float>&);
+template std::optional<impact_time<3, float>> time_of_overlap(const ball<3, float>&, const ball<3, float>&);
+template std::optional<impact_time<2, double>> time_of_overlap(const ball<2, double>&, const ball<2, double>&);
+template std::optional<impact_time<3, double>> time_of_overlap(const ball<3, double>&, const ball<3, double>&);
+template std::optional<impact_time<2, float>> time_of_impact_exactly(const ball<2, float>&, const ball<2, float>&);
+template std::optional<impact_time<3, float>> time_of_impact_exactly(const ball<3, float>&, const ball<3, float>&);
+template std::optional<impact_time<2, double>> time_of_impact_exactly(const ball<2, double>&, const ball<2, double>&);
+template std::optional<impact_time<3, double>> time_of_impact_exactly(const ball<3, double>&, const ball<3, double>&);
+template impact_time<2, float> enclosed_exactly(event<2, float>);
+template impact_time<3, float> enclosed_exactly(event<3, float>);
+template impact_time<2, double> enclosed_exactly(event<2, double>);
+template impact_time<3, double> enclosed_exactly(event<3, double>);
+template impact_time<2, float> enclosed_slowly(const event<2, float>&, encounter);
+template impact_time<3, float> enclosed_slowly(const event<3, float>&, encounter);
+template impact_time<2, double> enclosed_slowly(const event<2, double>&, encounter);
+template impact_time<3, double> enclosed_slowly(const event<3, double>&, encounter);
+template std::optional<impact_time<2, float>> time_of_plane_slowly(const ball<2, float>&, const plane<2, float>&,
+                                                                   encounter);
+template std::optional<impact_time<3, float>> time_of_plane_slowly(const ball<3, float>&, const plane<3, float>&,
+                                                                   encounter);
+template std::optional<impact_time<2, double>> time_of_plane_slowly(const ball<2, double>&, const plane<2, double>&,
+                                                                    encounter);
+template std::optional<impact_time<3, double>> time_of_plane_slowly(const ball<3, double>&, const plane<3, double>&,
+                                                                    encounter);
+template std::optional<impact_time<2, float>> time_of_flat_slowly(const ball<2, float>&, const wall<2, float>&,
+                                                                  const flat_answer&);
+template std::optional<impact_time<3, float>> time_of_flat_slowly(const ball<3, float>&, const wall<3, float>&,
+                                                                  const flat_answer&);
+template std::optional<impact_time<2, double>> time_of_flat_slowly(const ball<2, double>&, const wall<2, double>&,
+                                                                   const flat_answer&);
+template std::optional<impact_time<3, double>> time_of_flat_slowly(const ball<3, double>&, const wall<3, double>&,
+                                                                   const flat_answer&);
+template further_impact<2, float> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
+template further_impact<3, float> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
+template further_impact<2, double> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
+template further_impact<3, double> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
+template float round_further<float>(const event<2, float>&, rounding);
+template float round_further<float>(const event<3, float>&, rounding);
+template double round_further<double>(const event<2, double>&, rounding);
+template double round_further<double>(const event<3, double>&, rounding);
+template int compare_exactly(const flight_event<2, float>&, const flight_event<2, float>&);
+template int compare_exactly(const flight_event<3, float>&, const flight_event<3, float>&);
+template int compare_exactly(const flight_event<2, double>&, const flight_event<2, double>&);
+template int compare_exactly(const flight_event<3, double>&, const flight_event<3, double>&);
+template int compare_exactly(const flight_event<2, float>&, const binary&);
+template int compare_exactly(const flight_event<3, float>&, const binary&);
+template int compare_exactly(const flight_event<2, double>&, const binary&);
+template int compare_exactly(const flight_event<3, double>&, const binary&);
+template float round_exactly<float>(const flight_event<2, float>&, rounding);
+template float round_exactly<float>(const flight_event<3, float>&, rounding);
+template double round_exactly<double>(const flight_event<2, double>&, rounding);
+template double round_exactly<double>(const flight_event<3, double>&, rounding);
+template std::optional<flight_time<2, float>> time_of_impact_exactly(const flight<2, float>&, const flight<2, float>&);
+template std::optional<flight_time<3, float>> time_of_impact_exactly(const flight<3, float>&, const flight<3, float>&);
+template std::optional<flight_time<2, double>> time_of_impact_exactly(const flight<2, double>&,
+                                                                      const flight<2, double>&);
+template std::optional<flight_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
+                                                                      const flight<3, double>&);
+template flight_time<2, float> enclosed_exactly(flight_event<2, float>);
+template flight_time<3, float> enclosed_exactly(flight_event<3, float>);
+template flight_time<2, double> enclosed_exactly(flight_event<2, double>);
+template flight_time<3, double> enclosed_exactly(flight_event<3, double>);
+
+template parts fast_contact(contact<2, float>&, encounter, const ball<2, float>&, const ball<2, float>&, double, double,
+                            double) noexcept;
+template parts fast_contact(contact<3, float>&, encounter, const ball<3, float>&, const ball<3, float>&, double, double,
+                            double) noexcept;
+template parts fast_contact(contact<2, double>&, encounter, const ball<2, double>&, const ball<2, double>&, double,
+                            double, double) noexcept;
+template parts fast_contact(contact<3, double>&, encounter, const ball<3, double>&, const ball<3, double>&, double,
+                            double, double) noexcept;
+template void complete(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
+template void complete(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
+template void complete(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
+template void complete(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
+template completed_contact<2, float> collide_further(const ball<2, float>&, const ball<2, float>&);
+template completed_contact<3, float> collide_further(const ball<3, float>&, const ball<3, float>&);
+template completed_contact<2, double> collide_further(const ball<2, double>&, const ball<2, double>&);
+template completed_contact<3, double> collide_further(const ball<3, double>&, const ball<3, double>&);
+template stage complete_further(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
+template stage complete_further(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
+template stage complete_further(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
+template stage complete_further(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
+template void complete(ball_and_plane<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
+                       const plane<2, float>&);
+template void complete(ball_and_plane<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,
+                       const plane<3, float>&);
+template void complete(ball_and_plane<2>, wall_contact<2, double>&, parts, encounter, int, const ball<2, double>&,
+                       const plane<2, double>&);
+template void complete(ball_and_plane<3>, wall_contact<3, double>&, parts, encounter, int, const ball<3, double>&,
+                       const plane<3, double>&);
+template void complete(ball_and_wall<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
+                       const wall<2, float>&);
+template void complete(ball_and_wall<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,
+                       const wall<3, float>&);
+template void complete(ball_and_wall<2>, wall_contact<2, double>&, parts, encounter, int, const ball<2, double>&,
+                       const wall<2, double>&);
+template void complete(ball_and_wall<3>, wall_contact<3, double>&, parts, encounter, int, const ball<3, double>&,
+                       const wall<3, double>&);
+template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                         const plane<2, float>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                         const plane<3, float>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                         const plane<2, double>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                         const plane<3, double>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                         const wall<2, float>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                         const wall<3, float>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                         const wall<2, double>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                         const wall<3, double>&, const own_clock&) noexcept;
+template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                         const plane<2, float>&, const clock_of_flight<float>&) noexcept;
+template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                         const plane<3, float>&, const clock_of_flight<float>&) noexcept;
+template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                         const plane<2, double>&, const clock_of_flight<double>&) noexcept;
+template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                         const plane<3, double>&, const clock_of_flight<double>&) noexcept;
+template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                         const wall<2, float>&, const clock_of_flight<float>&) noexcept;
+template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                         const wall<3, float>&, const clock_of_flight<float>&) noexcept;
+template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                         const wall<2, double>&, const clock_of_flight<double>&) noexcept;
+template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                         const wall<3, double>&, const clock_of_flight<double>&) noexcept;
+template void complete(contact<2, float>&, parts, encounter, const flight<2, float>&, const flight<2, float>&);
+template void complete(contact<3, float>&, parts, encounter, const flight<3, float>&, const flight<3, float>&);
+template void complete(contact<2, double>&, parts, encounter, const flight<2, double>&, const flight<2, double>&);
+template void complete(contact<3, double>&, parts, encounter, const flight<3, double>&, const flight<3, double>&);
+
+} // namespace graze::inline v0_1::detail

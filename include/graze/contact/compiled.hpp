@@ -1,0 +1,89 @@
+// The cold stages of contacts that graze::compiled has, so that a unit need not compile them.
+#pragma once
+
+#include <graze/contact/collide_balls.hpp>
+#include <graze/contact/collide_flights.hpp>
+#include <graze/contact/collide_walls.hpp>
+
+namespace graze::inline v0_1::detail {
+
+extern template parts fast_contact(contact<2, float>&, encounter, const ball<2, float>&, const ball<2, float>&, double,
+                                   double, double) noexcept;
+extern template parts fast_contact(contact<3, float>&, encounter, const ball<3, float>&, const ball<3, float>&, double,
+                                   double, double) noexcept;
+extern template parts fast_contact(contact<2, double>&, encounter, const ball<2, double>&, const ball<2, double>&,
+                                   double, double, double) noexcept;
+extern template parts fast_contact(contact<3, double>&, encounter, const ball<3, double>&, const ball<3, double>&,
+                                   double, double, double) noexcept;
+extern template void complete(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
+extern template void complete(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
+extern template void complete(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
+extern template void complete(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
+extern template completed_contact<2, float> collide_further(const ball<2, float>&, const ball<2, float>&);
+extern template completed_contact<3, float> collide_further(const ball<3, float>&, const ball<3, float>&);
+extern template completed_contact<2, double> collide_further(const ball<2, double>&, const ball<2, double>&);
+extern template completed_contact<3, double> collide_further(const ball<3, double>&, const ball<3, double>&);
+extern template stage complete_further(contact<2, float>&, parts, encounter, const ball<2, float>&,
+                                       const ball<2, float>&);
+extern template stage complete_further(contact<3, float>&, parts, encounter, const ball<3, float>&,
+                                       const ball<3, float>&);
+extern template stage complete_further(contact<2, double>&, parts, encounter, const ball<2, double>&,
+                                       const ball<2, double>&);
+extern template stage complete_further(contact<3, double>&, parts, encounter, const ball<3, double>&,
+                                       const ball<3, double>&);
+extern template void complete(ball_and_plane<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
+                              const plane<2, float>&);
+extern template void complete(ball_and_plane<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,
+                              const plane<3, float>&);
+extern template void complete(ball_and_plane<2>, wall_contact<2, double>&, parts, encounter, int,
+                              const ball<2, double>&, const plane<2, double>&);
+extern template void complete(ball_and_plane<3>, wall_contact<3, double>&, parts, encounter, int,
+                              const ball<3, double>&, const plane<3, double>&);
+extern template void complete(ball_and_wall<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
+                              const wall<2, float>&);
+extern template void complete(ball_and_wall<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,
+                              const wall<3, float>&);
+extern template void complete(ball_and_wall<2>, wall_contact<2, double>&, parts, encounter, int, const ball<2, double>&,
+                              const wall<2, double>&);
+extern template void complete(ball_and_wall<3>, wall_contact<3, double>&, parts, encounter, int, const ball<3, double>&,
+                              const wall<3, double>&);
+extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const plane<2, float>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const plane<3, float>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const plane<2, double>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const plane<3, double>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const wall<2, float>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const wall<3, float>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const wall<2, double>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const wall<3, double>&, const own_clock&) noexcept;
+extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const plane<2, float>&, const clock_of_flight<float>&) noexcept;
+extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const plane<3, float>&, const clock_of_flight<float>&) noexcept;
+extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const plane<2, double>&, const clock_of_flight<double>&) noexcept;
+extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const plane<3, double>&, const clock_of_flight<double>&) noexcept;
+extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const wall<2, float>&, const clock_of_flight<float>&) noexcept;
+extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const wall<3, float>&, const clock_of_flight<float>&) noexcept;
+extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const wall<2, double>&, const clock_of_flight<double>&) noexcept;
+extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const wall<3, double>&, const clock_of_flight<double>&) noexcept;
+extern template void complete(contact<2, float>&, parts, encounter, const flight<2, float>&, const flight<2, float>&);
+extern template void complete(contact<3, float>&, parts, encounter, const flight<3, float>&, const flight<3, float>&);
+extern template void complete(contact<2, double>&, parts, encounter, const flight<2, double>&,
+                              const flight<2, double>&);
+extern template void complete(contact<3, double>&, parts, encounter, const flight<3, double>&,
+                              const flight<3, double>&);
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,95 @@
+// The cold stages of times that graze::compiled has, so that a unit need not compile them.
+#pragma once
+
+#include <graze/time/time_of_flights.hpp>
+#include <graze/time/time_of_shapes.hpp>
+#include <graze/time/time_of_walls.hpp>
+
+namespace graze::inline v0_1::detail {
+
+extern template int compare_exactly(const event<2, float>&, const event<2, float>&);
+extern template int compare_exactly(const event<3, float>&, const event<3, float>&);
+extern template int compare_exactly(const event<2, double>&, const event<2, double>&);
+extern template int compare_exactly(const event<3, double>&, const event<3, double>&);
+extern template int compare_exactly(const event<2, float>&, const binary&);
+extern template int compare_exactly(const event<3, float>&, const binary&);
+extern template int compare_exactly(const event<2, double>&, const binary&);
+extern template int compare_exactly(const event<3, double>&, const binary&);
+extern template float round_exactly<float>(const event<2, float>&, rounding);
+extern template float round_exactly<float>(const event<3, float>&, rounding);
+extern template double round_exactly<double>(const event<2, double>&, rounding);
+extern template double round_exactly<double>(const event<3, double>&, rounding);
+extern template std::optional<float> round_fast<float>(const event<2, float>&, double, rounding) noexcept;
+extern template std::optional<float> round_fast<float>(const event<3, float>&, double, rounding) noexcept;
+extern template std::optional<double> round_fast<double>(const event<2, double>&, double, rounding) noexcept;
+extern template std::optional<double> round_fast<double>(const event<3, double>&, double, rounding) noexcept;
+extern template std::optional<impact_time<2, float>> time_of_overlap(const ball<2, float>&, const ball<2, float>&);
+extern template std::optional<impact_time<3, float>> time_of_overlap(const ball<3, float>&, const ball<3, float>&);
+extern template std::optional<impact_time<2, double>> time_of_overlap(const ball<2, double>&, const ball<2, double>&);
+extern template std::optional<impact_time<3, double>> time_of_overlap(const ball<3, double>&, const ball<3, double>&);
+extern template std::optional<impact_time<2, float>> time_of_impact_exactly(const ball<2, float>&,
+                                                                            const ball<2, float>&);
+extern template std::optional<impact_time<3, float>> time_of_impact_exactly(const ball<3, float>&,
+                                                                            const ball<3, float>&);
+extern template std::optional<impact_time<2, double>> time_of_impact_exactly(const ball<2, double>&,
+                                                                             const ball<2, double>&);
+extern template std::optional<impact_time<3, double>> time_of_impact_exactly(const ball<3, double>&,
+                                                                             const ball<3, double>&);
+extern template impact_time<2, float> enclosed_exactly(event<2, float>);
+extern template impact_time<3, float> enclosed_exactly(event<3, float>);
+extern template impact_time<2, double> enclosed_exactly(event<2, double>);
+extern template impact_time<3, double> enclosed_exactly(event<3, double>);
+extern template impact_time<2, float> enclosed_slowly(const event<2, float>&, encounter);
+extern template impact_time<3, float> enclosed_slowly(const event<3, float>&, encounter);
+extern template impact_time<2, double> enclosed_slowly(const event<2, double>&, encounter);
+extern template impact_time<3, double> enclosed_slowly(const event<3, double>&, encounter);
+extern template std::optional<impact_time<2, float>> time_of_plane_slowly(const ball<2, float>&, const plane<2, float>&,
+                                                                          encounter);
+extern template std::optional<impact_time<3, float>> time_of_plane_slowly(const ball<3, float>&, const plane<3, float>&,
+                                                                          encounter);
+extern template std::optional<impact_time<2, double>> time_of_plane_slowly(const ball<2, double>&,
+                                                                           const plane<2, double>&, encounter);
+extern template std::optional<impact_time<3, double>> time_of_plane_slowly(const ball<3, double>&,
+                                                                           const plane<3, double>&, encounter);
+extern template std::optional<impact_time<2, float>> time_of_flat_slowly(const ball<2, float>&, const wall<2, float>&,
+                                                                         const flat_answer&);
+extern template std::optional<impact_time<3, float>> time_of_flat_slowly(const ball<3, float>&, const wall<3, float>&,
+                                                                         const flat_answer&);
+extern template std::optional<impact_time<2, double>> time_of_flat_slowly(const ball<2, double>&,
+                                                                          const wall<2, double>&, const flat_answer&);
+extern template std::optional<impact_time<3, double>> time_of_flat_slowly(const ball<3, double>&,
+                                                                          const wall<3, double>&, const flat_answer&);
+extern template further_impact<2, float> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
+extern template further_impact<3, float> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
+extern template further_impact<2, double> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
+extern template further_impact<3, double> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
+extern template float round_further<float>(const event<2, float>&, rounding);
+extern template float round_further<float>(const event<3, float>&, rounding);
+extern template double round_further<double>(const event<2, double>&, rounding);
+extern template double round_further<double>(const event<3, double>&, rounding);
+extern template int compare_exactly(const flight_event<2, float>&, const flight_event<2, float>&);
+extern template int compare_exactly(const flight_event<3, float>&, const flight_event<3, float>&);
+extern template int compare_exactly(const flight_event<2, double>&, const flight_event<2, double>&);
+extern template int compare_exactly(const flight_event<3, double>&, const flight_event<3, double>&);
+extern template int compare_exactly(const flight_event<2, float>&, const binary&);
+extern template int compare_exactly(const flight_event<3, float>&, const binary&);
+extern template int compare_exactly(const flight_event<2, double>&, const binary&);
+extern template int compare_exactly(const flight_event<3, double>&, const binary&);
+extern template float round_exactly<float>(const flight_event<2, float>&, rounding);
+extern template float round_exactly<float>(const flight_event<3, float>&, rounding);
+extern template double round_exactly<double>(const flight_event<2, double>&, rounding);
+extern template double round_exactly<double>(const flight_event<3, double>&, rounding);
+extern template std::optional<flight_time<2, float>> time_of_impact_exactly(const flight<2, float>&,
+                                                                            const flight<2, float>&);
+extern template std::optional<flight_time<3, float>> time_of_impact_exactly(const flight<3, float>&,
+                                                                            const flight<3, float>&);
+extern template std::optional<flight_time<2, double>> time_of_impact_exactly(const flight<2, double>&,
+                                                                             const flight<2, double>&);
+extern template std::optional<flight_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
+                                                                             const flight<3, double>&);
+extern template flight_time<2, float> enclosed_exactly(flight_event<2, float>);
+extern template flight_time<3, float> enclosed_exactly(flight_event<3, float>);
+extern template flight_time<2, double> enclosed_exactly(flight_event<2, double>);
+extern template flight_time<3, double> enclosed_exactly(flight_event<3, double>);
+
+} // namespace graze::inline v0_1::detail
