@@ -5,6 +5,7 @@
 #include <graze/exact/approximate.hpp>
 #include <graze/machine/environment.hpp>
 #include <graze/number/bounded_word.hpp>
+#include <graze/pair/bounded_double.hpp>
 #include <graze/pair/flat_signs.hpp>
 #include <graze/pair/pair.hpp>
 #include <graze/pair/stage.hpp>
@@ -38,6 +39,16 @@ struct word_judge {
     [[nodiscard]] int operator()(F f, const X& x) const noexcept {
         const bounded_word y = f(x);
         return y.has_certain_sign() ? graze::sign(y) : y.is_zero() ? 0 : open_sign;
+    }
+};
+// No sign of it is ever a certain 0.
+struct refined_judge {
+    static constexpr bool has_roots = false;
+
+    template <class F, class X>
+    [[nodiscard]] int operator()(F f, const X& x) const noexcept {
+        const int s = bounded_double(f(x)).certain_sign();
+        return s != 0 ? s : open_sign;
     }
 };
 struct exact_judge {
@@ -95,15 +106,16 @@ struct scaled_row {
     explicit scaled_row(const T* row) noexcept : length(row, P::lengths), velocity(row + P::lengths, P::velocities) {}
 };
 
-template <int N, class T>
-[[nodiscard, gnu::noinline]] flat_answer answer_by_words(const T* row, bool is_triangle,
-                                                         flat_question question) noexcept {
+// In numbers that carry their error along.
+template <class Number, class Judge, int N, class T>
+[[nodiscard, gnu::noinline]] flat_answer answer_by_bounds(const T* row, bool is_triangle,
+                                                          flat_question question) noexcept {
     const scaled_row<ball_and_wall<N>, T> in(row);
     if (!(in.length.plain && in.velocity.plain)) {
         return {};
     }
-    const auto m = flat_motion_in<N, bounded_word>(in, is_triangle);
-    const word_judge judge;
+    const auto m = flat_motion_in<N, Number>(in, is_triangle);
+    const Judge judge;
     return judge(edges_span{}, edges_of(m)) == 1 ? answer_of(m, judge, question) : flat_answer{};
 }
 
@@ -139,7 +151,13 @@ template <int N, class T, class Row>
     }
     if constexpr (has_words) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
-            if (const flat_answer found = answer_by_words<N>(row.data(), is_triangle, question); found.certain) {
+            flat_answer found = answer_by_bounds<bounded_double, refined_judge, N>(row.data(), is_triangle, question);
+            if (found.certain) {
+                by = wider(by, stage::refined);
+                return found;
+            }
+            found = answer_by_bounds<bounded_word, word_judge, N>(row.data(), is_triangle, question);
+            if (found.certain) {
                 by = wider(by, stage::double_word);
                 return found;
             }

@@ -2,8 +2,10 @@
 // does.
 #pragma once
 
+#include <graze/machine/fused.hpp>
 #include <graze/predicate/classify_walls.hpp>
 #include <graze/time/enclosure.hpp>
+#include <graze/time/flat_time.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -84,6 +86,41 @@ template <int N, class T>
                         judge.error(corner_h{}, x), judge.error(corner_discriminant{}, x));
 }
 
+// The same of a hit of which doubles were not certain: around the time that one step from theirs leads to.
+template <int N, class T, class Shape>
+[[nodiscard, gnu::noinline]] enclosure enclose_by_step(const ball<N, T>& b, const Shape& w,
+                                                       const flat_answer& found) noexcept {
+    if constexpr (has_error_free_doubles && !is_wide_integer<T>) {
+        const filtered_flat<N, T> f(b, w);
+        if (!(f.in_range && rounds_to_nearest())) {
+            return {};
+        }
+        const auto way = way_of(f.motion);
+        double time = 0;
+        if (found.where == feature::face) {
+            time = (std::fabs(way.height) - way.r * std::sqrt(way.nn)) / std::fabs(way.speed);
+        } else {
+            const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, f.judge);
+            const flat_edge<double> x = decision.numbers_of(found);
+            const bool is_edge = found.where == feature::edge;
+            const double d = is_edge ? border_whole_discriminant{}(x) : corner_discriminant{}(x);
+            if (!(d > 0)) {
+                return {};
+            }
+            time = is_edge ? root_stable{}(border_c{}(x), border_h{}(x), std::sqrt(d))
+                           : root_stable{}(corner_c{}(x), corner_h{}(x), std::sqrt(d));
+        }
+        if (!(time > 0)) {
+            return {};
+        }
+        const event<N, T> e(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), found.index, false);
+        const flat_time t = with_best_products(flat_time_near<N, T>{&e, time});
+        const double error = absolute(t.low) + t.error + 0x1p-49 * t.high;
+        return t.good && error < 0x1p-20 * t.high ? enclosure{t.high, error} : enclosure{};
+    }
+    return {};
+}
+
 // What becomes of a pair, and around when; unknown but for a hit of which doubles are certain.
 struct flat_meeting {
     flat_answer found;
@@ -103,10 +140,15 @@ template <int N, class T, class Shape>
             const auto way = way_of(f.motion);
             const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, f.judge);
             if (const flat_answer found = decision(); found.certain) [[likely]] {
-                return {found, found.what == encounter::hit ? enclose_hit(f, way, found) : enclosure{}};
+                if (found.what != encounter::hit) {
+                    return {found, {}};
+                }
+                const enclosure bounds = enclose_hit(f, way, found);
+                return {found, bounds.is_known() ? bounds : enclose_by_step(b, w, found)};
             }
         }
-        return {decide_flat_slowly(b, w, flat_question::feature, by), {}};
+        const flat_answer found = decide_flat_slowly(b, w, flat_question::feature, by);
+        return {found, found.what == encounter::hit ? enclose_by_step(b, w, found) : enclosure{}};
     }
     return {decide_flat<flat_question::feature>(b, w, by), {}};
 }
