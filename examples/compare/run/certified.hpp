@@ -23,8 +23,8 @@
 namespace compare::run {
 
 // The interval around a number has both signs, or none that is known.
-struct undecided_sign : std::runtime_error {
-    undecided_sign() : std::runtime_error("a sign is undecided at this precision") {}
+struct undecided_sign : graze::undecided {
+    undecided_sign() : undecided("a sign at this precision", 0) {}
 };
 
 // p + q√d with rational p, q and d, exactly; or r X with a rational r and an interval X around an unknown number. Exact

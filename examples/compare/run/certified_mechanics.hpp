@@ -22,6 +22,8 @@ class certified_mechanics {
     using number = certified;
     using state = certified_flight<N>;
     using time = certified_time;
+    using exact = certified;
+    static constexpr bool rounds = false;
     using ball = graze::ball<N, certified>;
     using plane = graze::plane<N, certified>;
     using wall = graze::wall<N, certified>;
@@ -83,6 +85,14 @@ class certified_mechanics {
             return graze::sign(graze::plane_speed{}(graze::relative_motion_of(exactly(a).state, p)));
         });
     }
+    [[nodiscard]] time reach(const state& a, const plane& p) const {
+        return decided("when it is there", a, [&] {
+            const auto m = graze::relative_motion_of(exactly(a).state, p);
+            return time{a.since + graze::centre_crossing_time{}(graze::plane_height{}(m), graze::plane_speed{}(m)),
+                        nullptr};
+        });
+    }
+    [[nodiscard]] time reach(const state& a, const wall& w) const { return reach(a, plane_of(a, w)); }
     void turn_back(state& a, const plane& p) const {
         a = exactly(a);
         a.state.velocity = graze::reflected_unnormalised(a.state.velocity, p.normal);
@@ -92,6 +102,7 @@ class certified_mechanics {
     void turn_back(state& a, const wall& w) const { turn_back(a, plane_of(a, w)); }
 
     [[nodiscard]] graze::time_bounds bounds(const time& t) const { return t.value.bounds(); }
+    [[nodiscard]] certified as_exact(const certified& x) const { return x; }
     [[nodiscard]] time now(const state& a) const { return {a.since, nullptr}; }
     [[nodiscard]] bool immovable(const state& a) const { return a.state.mass.is_infinite(); }
     [[nodiscard]] bool is_point(const state& a) const { return a.state.radius.sign() == 0; }

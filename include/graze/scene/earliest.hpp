@@ -104,4 +104,23 @@ void select_earliest(const moving_scene<M>& scene, const std::vector<due<typenam
     }
 }
 
+// Of the planes and walls that a point is due to meet at one time, puts that first which it meets first.
+template <mechanics M>
+void put_first_standing_first(const moving_scene<M>& scene, std::vector<due<typename M::time>>& events) {
+    const auto is_standing = [&](const auto& d) { return d.what.b >= scene.balls(); };
+    for (auto first = events.begin(); first != events.end();) {
+        const auto of_same = [&](const auto& d) { return d.what.a == first->what.a; };
+        const auto last = std::find_if_not(first, events.end(), of_same);
+        const auto standing = std::find_if(first, last, is_standing);
+        if (last - standing > 1) {
+            const body met = scene.first_standing(first->what.a, first->when);
+            const auto leads = [&](const auto& d) { return d.what.b == met; };
+            if (const auto chosen = std::find_if(standing, last, leads); chosen != last) {
+                std::rotate(standing, chosen, std::next(chosen));
+            }
+        }
+        first = last;
+    }
+}
+
 } // namespace graze::inline v0_1::detail

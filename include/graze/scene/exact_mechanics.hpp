@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/contact/collide_flights.hpp>
+#include <graze/exact/dyadic.hpp>
 #include <graze/scene/mechanics.hpp>
 #include <graze/time/time_of_flights.hpp>
 
@@ -19,6 +20,8 @@ struct exact_mechanics {
     using number = T;
     using state = flight<N, T>;
     using time = flight_time<N, T>;
+    using exact = dyadic;
+    static constexpr bool rounds = true;
 
     [[nodiscard]] constexpr state start(const ball<N, T>& b) const { return {b, T(0)}; }
 
@@ -56,6 +59,8 @@ struct exact_mechanics {
                 static_cast<double>(a.since)};
     }
 
+    [[nodiscard]] exact as_exact(const T& x) const { return exact(x); }
+
     [[nodiscard]] constexpr bool immovable(const state& a) const { return detail::is_infinite_mass(a.state.mass); }
     [[nodiscard]] constexpr bool is_point(const state& a) const { return detail::is_zero(a.state.radius); }
 
@@ -77,6 +82,14 @@ struct exact_mechanics {
     template <class S>
     [[nodiscard]] constexpr int heading(const state& a, const S& standing) const {
         return sign_of(a, standing, plane_speed{});
+    }
+    template <class S>
+    [[nodiscard]] constexpr time reach(const state& a, const S& standing) const {
+        using pair = typename decltype(detail::pair_of(a.state, standing))::kind;
+        const bool is_plane = std::is_same_v<S, plane<N, T>>;
+        return detail::enclosed_exactly(detail::flight_event<N, T>(
+            pair{}, a.state, standing, is_plane ? detail::event_kind::plane : detail::event_kind::face, 0, false,
+            a.since, a.since));
     }
     // As of a ball that cuts the face and goes deeper.
     template <class S>

@@ -88,6 +88,7 @@ class forecast {
             put_in_order(nearest_);
             select_earliest(scene_, nearest_, events);
             due_balls_.note(scene_, events);
+            put_first_standing_first(scene_, events);
         } catch (...) {
             events.clear();
             return_nearest(events);

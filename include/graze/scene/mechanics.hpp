@@ -2,6 +2,7 @@
 // every decision that can change the sequence of events is the mechanics'.
 #pragma once
 
+#include <graze/number/traits.hpp>
 #include <graze/scene/meeting.hpp>
 #include <graze/shape/flight.hpp>
 #include <graze/shape/plane.hpp>
@@ -51,14 +52,17 @@ class undecided : public std::runtime_error {
 //   bounce    as for two balls
 //   side      the sign of (x - p)·n at the time since, n being the normal of the plane or the wall's face
 //   heading   the sign of u·n
+//   reach     when a point that comes nearer to the plane, or to that of the wall's face, is in it
 //   turn_back the velocity reflected in the plane or the wall's face; position and since stay
-// The last three are asked for points alone, which the rounding of a position may carry across what they bounced off.
+// The last four are asked for points alone, which may be where several things stand, and which the rounding of a
+// position may carry across one.
 template <class M, class S>
 concept mechanics_of_standing = requires(const M& m, const typename M::state& a, typename M::state& changed, const S& s,
                                          const typename M::time& t) {
     { m.meet(a, s) } -> std::same_as<std::optional<typename M::time>>;
     { m.side(a, s) } -> std::same_as<int>;
     { m.heading(a, s) } -> std::same_as<int>;
+    { m.reach(a, s) } -> std::same_as<typename M::time>;
     m.bounce(changed, s, t);
     m.turn_back(changed, s);
 };
@@ -66,6 +70,9 @@ concept mechanics_of_standing = requires(const M& m, const typename M::state& a,
 // dimension  N, 2 or 3
 // number     what the scene's numbers are made of; has a total order <, used to number balls by what they are
 // state      a ball in flight: flight<N, number>, or more
+// rounds     whether a position after a bounce may be another one than where the bounce was
+// exact      numbers in which sums and products of the states' numbers are those that the mechanics answers for
+// as_exact   a number as one of them
 // time       of an event, counted from the scene's t = 0
 // start      a ball as it is at t = 0
 // meet       when two balls first touch or, if they overlap and approach, the later of the two times since; looked at
@@ -86,6 +93,9 @@ concept mechanics = requires(const M& m, const ball<M::dimension, typename M::nu
     requires std::copyable<typename M::state>;
     requires std::copyable<typename M::time>;
     requires std::totally_ordered<typename M::number>;
+    requires graze::number<typename M::exact>;
+    { M::rounds } -> std::convertible_to<bool>;
+    { m.as_exact(x) } -> std::same_as<typename M::exact>;
     { m.start(b) } -> std::same_as<typename M::state>;
     { m.meet(a, a) } -> std::same_as<std::optional<typename M::time>>;
     { m.order(t, t) } -> std::same_as<int>;

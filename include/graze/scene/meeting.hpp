@@ -14,6 +14,14 @@ enum class partner : std::uint8_t { ball, plane, wall };
     return p == partner::ball ? "ball" : p == partner::plane ? "plane" : "wall";
 }
 
+// A ball, plane or wall: an index into one of the spans of the scene.
+struct participant {
+    partner kind = partner::ball;
+    int index = 0;
+
+    [[nodiscard]] friend constexpr auto operator<=>(const participant&, const participant&) = default;
+};
+
 // Ball `a` and ball, plane or wall `b`: indices into the spans of the scene.
 struct meeting {
     partner with = partner::ball;
@@ -23,6 +31,10 @@ struct meeting {
     [[nodiscard]] friend constexpr auto operator<=>(const meeting&, const meeting&) = default;
 };
 
+// "ball 3".
+[[nodiscard]] inline std::string to_string(const participant& p) {
+    return std::string(to_string(p.kind)) + " " + std::to_string(p.index);
+}
 // "ball 3 and plane 0".
 [[nodiscard]] inline std::string to_string(const meeting& m) {
     return "ball " + std::to_string(m.a) + " and " + to_string(m.with) + " " + std::to_string(m.b);

@@ -10,13 +10,14 @@
 
 namespace graze::inline v0_1::detail {
 
-// last: whom it met last.
+// last: whom it met last. stopped: it was jammed, and takes no part any more.
 template <class State>
 struct mover {
     State state;
     body last = no_body;
     bool immovable = false;
     bool point = false;
+    bool stopped = false;
 };
 
 template <int N>

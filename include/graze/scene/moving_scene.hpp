@@ -3,9 +3,9 @@
 
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/check_scene.hpp>
-#include <graze/scene/kept_sides.hpp>
 #include <graze/scene/mechanics.hpp>
 #include <graze/scene/mover.hpp>
+#include <graze/scene/points.hpp>
 
 #include <utility>
 
@@ -21,38 +21,24 @@ class moving_scene {
     using state = typename M::state;
     using time = typename M::time;
 
-    moving_scene(const scene<dimension, number>& s, M m) : mechanics_(std::move(m)) {
-        check(s);
-        const auto sorted = [](const auto& pieces, std::vector<int>& names) {
-            names = canonical_order(pieces);
-            std::vector<std::remove_cvref_t<decltype(pieces[0])>> result;
-            result.reserve(names.size());
-            for (const int i : names) {
-                result.push_back(pieces[static_cast<std::size_t>(i)]);
-            }
-            return result;
-        };
-        planes_ = sorted(s.planes, plane_names_);
-        walls_ = sorted(s.walls, wall_names_);
-        ball_names_ = canonical_order(s.balls);
+    moving_scene(const scene<dimension, number>& s, M m)
+        : mechanics_(std::move(m)), standing_((check(s), s), static_cast<body>(s.balls.size())),
+          ball_names_(canonical_order(s.balls)), counts_(s.balls.size()) {
         movers_.reserve(ball_names_.size());
         bool points = false;
         for (const int i : ball_names_) {
             mover<state> b{mechanics_.start(s.balls[static_cast<std::size_t>(i)])};
             b.immovable = mechanics_.immovable(b.state);
-            b.point = mechanics_.is_point(b.state);
+            b.point = !b.immovable && mechanics_.is_point(b.state);
             points = points || b.point;
             movers_.push_back(std::move(b));
         }
-        counts_.resize(movers_.size());
-        kept_.resize(points && bodies() > balls() ? movers_.size() : 0);
+        points_.resize(points && bodies() > balls() ? movers_.size() : 0);
     }
 
     [[nodiscard]] const M& rules() const noexcept { return mechanics_; }
     [[nodiscard]] body balls() const noexcept { return static_cast<body>(movers_.size()); }
-    [[nodiscard]] body bodies() const noexcept {
-        return static_cast<body>(movers_.size() + planes_.size() + walls_.size());
-    }
+    [[nodiscard]] body bodies() const noexcept { return standing_.end(); }
     [[nodiscard]] mover<state>& operator[](body a) noexcept { return movers_[a]; }
     [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return movers_[a]; }
     // Asks for a ball that will soon be looked at, without waiting for it.
@@ -67,12 +53,7 @@ class moving_scene {
 
     // By the scene's own indices; of two balls the one first that comes first by its numbers.
     [[nodiscard]] meeting named(body a, body b) const noexcept {
-        if (b < balls()) {
-            return {partner::ball, name(a), name(b)};
-        }
-        const std::size_t standing = b - balls();
-        return standing < planes_.size() ? meeting{partner::plane, name(a), plane_names_[standing]}
-                                         : meeting{partner::wall, name(a), wall_names_[standing - planes_.size()]};
+        return b < balls() ? meeting{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
     [[nodiscard]] bool is_stale(const foreseen& f) const noexcept {
@@ -93,7 +74,10 @@ class moving_scene {
             if (b < balls()) {
                 return mechanics_.meet(movers_[a].state, movers_[b].state);
             }
-            return with_standing(b, [&](const auto& s) { return meet_standing(a, b, s); });
+            if (is_watched(a)) {
+                return points_[a].meet(mechanics_, standing_, movers_[a].state, b);
+            }
+            return standing_.with(b, [&](const auto& s) { return mechanics_.meet(movers_[a].state, s); });
         } catch (graze::undecided& e) {
             e.between(named(a, b));
             throw;
@@ -102,10 +86,15 @@ class moving_scene {
         }
     }
 
-    // Ball a's state, and b's if it is a ball, after they have met.
-    void bounce(body a, body b, const time& when) {
+    // Which plane or wall a point meets first of those that it meets at exactly this time; no_body for a ball.
+    [[nodiscard]] body first_standing(body a, const time& when) const {
+        return is_watched(a) ? points_[a].first_at(mechanics_, standing_, movers_[a].state, when) : no_body;
+    }
+
+    // Ball a's state, and b's if it is a ball, after they have met; alone: neither meets anything else at that time.
+    void bounce(body a, body b, const time& when, bool alone) {
         try {
-            change(a, b, when);
+            change(a, b, when, alone);
         } catch (graze::undecided& e) {
             e.between(named(a, b));
             throw;
@@ -114,20 +103,36 @@ class moving_scene {
         }
     }
 
+    // Ball a stays where its last event was; it does not meet `presser` any more.
+    void stop(body a, body presser) {
+        mover<state>& x = movers_[a];
+        x.state.state.velocity = make_vec<dimension>([](int) { return number(0); });
+        x.last = presser;
+        x.stopped = true;
+        ++counts_[a];
+    }
+    [[nodiscard]] participant part(body b) const noexcept {
+        if (b < balls()) {
+            return {partner::ball, name(b)};
+        }
+        const meeting m = standing_.named(0, b);
+        return {m.with, m.b};
+    }
+
     // What bounce changes of a ball, to put it back.
     struct memory {
         mover<state> ball;
         std::uint32_t count;
-        kept_sides kept;
+        std::optional<point_among<M>> point;
     };
     [[nodiscard]] memory remember(body a) const {
-        return {movers_[a], counts_[a], kept_.empty() ? kept_sides{} : kept_[a]};
+        return {movers_[a], counts_[a], is_watched(a) ? std::optional(points_[a]) : std::nullopt};
     }
     void restore(body a, memory& m) noexcept {
         movers_[a] = std::move(m.ball);
         counts_[a] = m.count;
-        if (!kept_.empty()) {
-            kept_[a] = m.kept;
+        if (m.point) {
+            points_[a] = std::move(*m.point);
         }
     }
 
@@ -135,112 +140,53 @@ class moving_scene {
     // belongs; elsewhere they would mean nothing.
     void restate(body a, state other) {
         const flight<dimension, double> f = mechanics_.about(movers_[a].state), g = mechanics_.about(other);
-        if (!kept_.empty() && !is_on_the_way(f, g)) {
-            kept_[a] = {};
+        if (is_watched(a)) {
+            points_[a].restate(mechanics_, movers_[a].state, is_on_the_way(f, g));
         }
+        movers_[a].stopped = false;
         const bool flies_on = movers_[a].immovable && is_same_flight(f, g);
         movers_[a].state = std::move(other);
         movers_[a].last = flies_on ? movers_[a].last : no_body;
     }
 
   private:
-    void change(body a, body b, const time& when) {
+    // Whether a is a point that something standing may meet.
+    [[nodiscard]] bool is_watched(body a) const noexcept { return !points_.empty() && movers_[a].point; }
+
+    void change(body a, body b, const time& when, bool alone) {
         mover<state>& x = movers_[a];
-        const std::optional<state> before_a = before_standing(a);
         if (b < balls()) {
-            const std::optional<state> before_b = before_standing(b);
-            mechanics_.bounce(x.state, movers_[b].state, when);
-            movers_[b].last = a;
-            counts_[b] += movers_[b].immovable ? 0 : 1;
-            keep_due(b, before_b);
-            tidy(b);
+            mover<state>& y = movers_[b];
+            const std::optional<state> before_a = before_ball(a);
+            const std::optional<state> before_b = before_ball(b);
+            mechanics_.bounce(x.state, y.state, when);
+            note(a, before_a, when, alone);
+            note(b, before_b, when, alone);
+            y.last = a;
+            counts_[b] += y.immovable ? 0 : 1;
+        } else if (is_watched(a)) {
+            points_[a].bounce(mechanics_, standing_, x.state, b, when, alone);
         } else {
-            with_standing(b, [&](const auto& s) { bounce_standing(a, b, s, when); });
+            standing_.with(b, [&](const auto& s) { mechanics_.bounce(x.state, s, when); });
         }
         x.last = b;
         counts_[a] += x.immovable ? 0 : 1;
-        keep_due(a, before_a, b);
-        tidy(a, b);
     }
-
-    template <class F>
-    decltype(auto) with_standing(body b, F f) const {
-        const std::size_t standing = b - balls();
-        return standing < planes_.size() ? f(planes_[standing]) : f(walls_[standing - planes_.size()]);
+    [[nodiscard]] std::optional<state> before_ball(body a) const {
+        return is_watched(a) ? std::optional<state>(movers_[a].state) : std::nullopt;
     }
-
-    // Whether the rounding of a point's position has carried it across b, or onto it.
-    template <class S>
-    [[nodiscard]] bool is_beyond(body a, const S& s, int side) const {
-        return side != 0 && mechanics_.side(movers_[a].state, s) * side <= 0;
-    }
-    [[nodiscard]] int kept_side(body a, body b) const noexcept { return kept_.empty() ? 0 : kept_[a].of(b); }
-
-    template <class S>
-    [[nodiscard]] std::optional<time> meet_standing(body a, body b, const S& s) const {
-        if (const int side = kept_side(a, b); is_beyond(a, s, side)) {
-            return mechanics_.heading(movers_[a].state, s) * side < 0
-                       ? std::optional<time>(mechanics_.now(movers_[a].state))
-                       : std::nullopt;
+    void note(body a, const std::optional<state>& before, const time& when, bool alone) {
+        if (before) {
+            points_[a].meet_ball(mechanics_, standing_, *before, movers_[a].state, movers_[a].last, when, alone);
         }
-        return mechanics_.meet(movers_[a].state, s);
-    }
-
-    template <class S>
-    void bounce_standing(body a, body b, const S& s, const time& when) {
-        state& x = movers_[a].state;
-        if (is_beyond(a, s, kept_side(a, b))) {
-            mechanics_.turn_back(x, s);
-            return;
-        }
-        const int from = kept_.empty() || !movers_[a].point ? 0 : -mechanics_.heading(x, s);
-        mechanics_.bounce(x, s, when);
-        if (from != 0) {
-            kept_[a].keep(b, from);
-        }
-    }
-
-    // The state before a bounce of a point that something standing may meet.
-    [[nodiscard]] std::optional<state> before_standing(body a) const {
-        return kept_.empty() || !movers_[a].point || movers_[a].immovable ? std::nullopt
-                                                                          : std::optional<state>(movers_[a].state);
-    }
-    // Keeps the sides on which a point was of what it was yet to meet and where it now is, or beyond: it has come to a
-    // corner, or as near to one as rounding goes.
-    void keep_due(body a, const std::optional<state>& before, body left = no_body) {
-        for (body b = before ? balls() : bodies(); b < bodies(); ++b) {
-            if (b == left || kept_side(a, b) != 0) {
-                continue;
-            }
-            with_standing(b, [&](const auto& s) {
-                if (mechanics_.meet(*before, s)) {
-                    const int side = -mechanics_.heading(*before, s);
-                    if (is_beyond(a, s, side)) {
-                        kept_[a].keep(b, side);
-                    }
-                }
-            });
-        }
-    }
-
-    // Forgets the sides of a point that is where it belongs; of the plane or wall that it has just left it is asked at
-    // its next event.
-    void tidy(body a, body left = no_body) {
-        if (kept_.empty() || !movers_[a].point) {
-            return;
-        }
-        kept_[a].forget_if([&](body b, int side) {
-            return b != left && with_standing(b, [&](const auto& s) { return !is_beyond(a, s, side); });
-        });
     }
 
     M mechanics_;
+    standing_parts<M> standing_;
+    std::vector<int> ball_names_;
     std::vector<mover<state>> movers_;
-    std::vector<std::uint32_t> counts_; // beside one another, for they are asked of far more than flights are
-    std::vector<kept_sides> kept_;      // of the points, if there are any and something that they can cross
-    std::vector<plane<dimension, number>> planes_;
-    std::vector<wall<dimension, number>> walls_;
-    std::vector<int> ball_names_, plane_names_, wall_names_;
+    std::vector<std::uint32_t> counts_;  // beside one another, for they are asked of far more than flights are
+    std::vector<point_among<M>> points_; // if there are any and something that they can meet
 };
 
 } // namespace graze::inline v0_1::detail

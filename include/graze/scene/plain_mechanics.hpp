@@ -21,6 +21,8 @@ struct plain_mechanics {
     using number = T;
     using state = flight<N, T>;
     using time = T;
+    using exact = T;
+    static constexpr bool rounds = !number_traits<T>::is_exact;
 
     [[nodiscard]] constexpr state start(const ball<N, T>& b) const { return {b, T(0)}; }
 
@@ -88,6 +90,8 @@ struct plain_mechanics {
                 as_double(a.since)};
     }
 
+    [[nodiscard]] constexpr T as_exact(const T& x) const { return x; }
+
     [[nodiscard]] constexpr bool immovable(const state& a) const { return graze::sign(T(T(1) / a.state.mass)) == 0; }
     [[nodiscard]] constexpr bool is_point(const state& a) const { return graze::sign(a.state.radius) == 0; }
 
@@ -113,6 +117,11 @@ struct plain_mechanics {
         return graze::sign(T(plane_speed{}(relative_motion_of(a.state, p))));
     }
     [[nodiscard]] constexpr int heading(const state& a, const wall<N, T>& w) const { return heading(a, plane_of(w)); }
+    [[nodiscard]] constexpr T reach(const state& a, const plane<N, T>& p) const {
+        const auto m = relative_motion_of(a.state, p);
+        return T(a.since + T(centre_crossing_time{}(T(plane_height{}(m)), T(plane_speed{}(m)))));
+    }
+    [[nodiscard]] constexpr T reach(const state& a, const wall<N, T>& w) const { return reach(a, plane_of(w)); }
     constexpr void turn_back(state& a, const plane<N, T>& p) const {
         a.state.velocity = reflected_unnormalised(a.state.velocity, p.normal);
     }

@@ -175,7 +175,7 @@ class run {
         auto before_a = changing.remember(a);
         auto before_b = changing.remember(two ? b : a);
         try {
-            changing.bounce(a, b, d.when);
+            changing.bounce(a, b, d.when, !d.chosen);
             forecast_.forget();
             if (!changing[a].immovable) {
                 forecast_.foresee(a);

@@ -1,0 +1,130 @@
+// A binary fraction of any length.
+#pragma once
+
+#include <graze/exact/binary.hpp>
+#include <graze/number/traits.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace graze::inline v0_1 {
+
+// An integer times a power of two, as long as it has to be: sums and products are exact, whatever went before. It
+// allocates, and is for what happens rarely and has no bound on its length; where the width is known, `integer` is
+// faster by far.
+class dyadic {
+  public:
+    dyadic(int x = 0) : dyadic(x, 0) {}
+
+    // x, which is finite, exactly.
+    template <std::floating_point T>
+    requires is_binary_input<T>
+    explicit dyadic(const T& x) : dyadic(detail::split(x).significand, detail::split(x).exponent) {}
+
+    // -1, 0 or 1.
+    [[nodiscard]] int sign() const noexcept { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
+
+    [[nodiscard]] dyadic operator-() const {
+        dyadic result = *this;
+        result.negative_ = !negative_;
+        return result;
+    }
+    [[nodiscard]] friend dyadic operator+(const dyadic& x, const dyadic& y) { return sum(x, y, y.negative_); }
+    [[nodiscard]] friend dyadic operator-(const dyadic& x, const dyadic& y) { return sum(x, y, !y.negative_); }
+    [[nodiscard]] friend dyadic operator*(const dyadic& x, const dyadic& y) {
+        dyadic result;
+        result.digits_.resize(x.digits_.size() + y.digits_.size());
+        for (std::size_t i = 0; i < x.digits_.size(); ++i) {
+            std::uint64_t carry = 0;
+            for (std::size_t j = 0; j < y.digits_.size() || carry != 0; ++j) {
+                carry += result.digits_[i + j];
+                carry += j < y.digits_.size() ? std::uint64_t{x.digits_[i]} * y.digits_[j] : 0;
+                result.digits_[i + j] = static_cast<std::uint32_t>(carry);
+                carry >>= 32;
+            }
+        }
+        result.negative_ = x.negative_ != y.negative_;
+        result.lowest_ = x.lowest_ + y.lowest_;
+        result.trim();
+        return result;
+    }
+    [[nodiscard]] friend bool operator==(const dyadic& x, const dyadic& y) { return (x - y).sign() == 0; }
+
+  private:
+    dyadic(std::int64_t significand, int exponent) : negative_(significand < 0) {
+        const int bit = (exponent % 32 + 32) % 32;
+        lowest_ = (exponent - bit) / 32;
+        std::uint64_t rest =
+            negative_ ? 0 - static_cast<std::uint64_t>(significand) : static_cast<std::uint64_t>(significand);
+        digits_ = {static_cast<std::uint32_t>(rest << bit), static_cast<std::uint32_t>(rest << bit >> 32),
+                   bit != 0 ? static_cast<std::uint32_t>(rest >> (64 - bit)) : 0};
+        trim();
+    }
+
+    // x and y, y with this sign.
+    [[nodiscard]] static dyadic sum(const dyadic& x, const dyadic& y, bool y_negative) {
+        if (x.digits_.empty() || y.digits_.empty()) {
+            dyadic result = x.digits_.empty() ? y : x;
+            result.negative_ = x.digits_.empty() ? y_negative : x.negative_;
+            return result;
+        }
+        const int lowest = std::min(x.lowest_, y.lowest_);
+        const int end = std::max(x.end(), y.end());
+        dyadic result;
+        result.lowest_ = lowest;
+        result.digits_.reserve(static_cast<std::size_t>(end - lowest) + 1);
+        const bool same = x.negative_ == y_negative;
+        const bool x_larger = same || !is_less(x, y);
+        const dyadic& large = x_larger ? x : y;
+        const dyadic& small = x_larger ? y : x;
+        std::int64_t carry = 0;
+        for (int i = lowest; i < end; ++i) {
+            const std::int64_t digit = small.digit(i);
+            carry += std::int64_t{large.digit(i)} + (same ? digit : -digit);
+            result.digits_.push_back(static_cast<std::uint32_t>(carry));
+            carry >>= 32;
+        }
+        result.digits_.push_back(static_cast<std::uint32_t>(carry));
+        result.negative_ = x_larger ? x.negative_ : y_negative;
+        result.trim();
+        return result;
+    }
+    // |x| < |y|.
+    [[nodiscard]] static bool is_less(const dyadic& x, const dyadic& y) noexcept {
+        for (int i = std::max(x.end(), y.end()); i-- > std::min(x.lowest_, y.lowest_);) {
+            if (x.digit(i) != y.digit(i)) {
+                return x.digit(i) < y.digit(i);
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] int end() const noexcept { return lowest_ + static_cast<int>(digits_.size()); }
+    [[nodiscard]] std::uint32_t digit(int i) const noexcept {
+        return i < lowest_ || i >= end() ? 0 : digits_[static_cast<std::size_t>(i - lowest_)];
+    }
+    // Without zeros at either end.
+    void trim() {
+        while (!digits_.empty() && digits_.back() == 0) {
+            digits_.pop_back();
+        }
+        const auto first = std::find_if(digits_.begin(), digits_.end(), [](std::uint32_t d) { return d != 0; });
+        lowest_ += static_cast<int>(first - digits_.begin());
+        digits_.erase(digits_.begin(), first);
+    }
+
+    bool negative_ = false;
+    int lowest_ = 0;                    // the power of 2^32 of the first digit
+    std::vector<std::uint32_t> digits_; // from the lowest
+};
+
+template <>
+struct number_traits<dyadic> {
+    static constexpr const char* name = "dyadic";
+    static constexpr bool is_exact = true;
+    static constexpr int digits = 0;
+    static int sign(const dyadic& x) noexcept { return x.sign(); }
+};
+
+} // namespace graze::inline v0_1

@@ -1,0 +1,138 @@
+// Where a point meets several planes and walls at one instant, and in which order.
+#pragma once
+
+#include <graze/formula/plane_crossing.hpp>
+#include <graze/formula/wall_features.hpp>
+#include <graze/scene/event_heap.hpp>
+#include <graze/scene/shift.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// Seen from so near that only directions are left, every plane and wall at the point is a cone with its apex there, and
+// the point's way is a line. That line leads through the apex until the point meets its first wall: one of those that
+// it can come to first if it is shifted by less than any number, those that it meets inside before those that it meets
+// on their border, and of equals the first in canonical order. From then on the line is the shifted one, and bounces
+// off a cone wherever it comes to one. All signs are those of X, in which nothing is rounded but what X rounds;
+// velocities are those with which the run goes on.
+template <int N, class X>
+class junction {
+  public:
+    using direction = vec<N, X>;
+
+    // Cones in canonical order, met by a point on its way in along `incoming`.
+    junction(std::vector<cone<N, X>> cones, const direction& incoming) : cones_(std::move(cones)), place_(-incoming) {
+        std::stable_partition(cones_.begin(), cones_.end(), [](const auto& c) { return !c.is_bordered(); });
+    }
+
+    [[nodiscard]] bool has(body standing) const noexcept { return find(standing) != cones_.end(); }
+    // What the point meets next at this instant, or no_body.
+    [[nodiscard]] body next() const noexcept { return next_; }
+    [[nodiscard]] std::size_t size() const noexcept { return cones_.size(); }
+
+    // The point has had another event than a bounce here: what it met last may be met again.
+    void leave_none() noexcept { left_ = no_body; }
+
+    // The point goes on with this velocity.
+    void head(const direction& u) { next_ = first_met(u); }
+
+    // The point, which came along u, meets one of them and goes on with the velocity `after`.
+    void meet(body standing, const direction& u, const direction& after) {
+        const auto met = std::find_if(cones_.begin(), cones_.end(), [&](const auto& c) { return is_of(c, standing); });
+        left_ = standing;
+        next_ = no_body;
+        if (is_through_apex(place_, u)) {
+            if (met->side == 0) { // a graze of the border, which changes nothing
+                met->slid_along = true;
+                head(after);
+                return;
+            }
+            place_ = shift_into(*met, cones_, u, after).value_or(inside(*met));
+        } else {
+            place_ = along(*met, crossing(*met, u));
+        }
+        for (cone<N, X>& c : cones_) { // the side on which the point now is, if it is not just in that plane
+            if (const int side = is_of(c, standing) ? 0 : graze::sign(graze::dot(place_, c.normal)); side != 0) {
+                c.side = side;
+            }
+        }
+        head(after);
+    }
+
+    // f(standing, side) with the sides on which the point leaves what it is at.
+    template <class F>
+    void leave(const direction& u, F f) const {
+        for (const cone<N, X>& c : cones_) {
+            const int heading = is_of(c, left_) ? 0 : graze::sign(graze::dot(u, c.normal));
+            if (const int side = heading != 0 ? heading : c.side; side != 0) {
+                f(c.standing, side);
+            }
+        }
+    }
+
+  private:
+    [[nodiscard]] static bool is_of(const cone<N, X>& c, body standing) noexcept { return c.standing == standing; }
+    [[nodiscard]] auto find(body standing) const noexcept {
+        return std::find_if(cones_.begin(), cones_.end(), [&](const auto& c) { return is_of(c, standing); });
+    }
+
+    [[nodiscard]] body first_met(const direction& u) const {
+        if (is_through_apex(place_, u)) {
+            return first_at_apex(u);
+        }
+        const cone<N, X>* first = nullptr;
+        X first_height(0), first_speed(1);
+        for (const cone<N, X>& c : cones_) {
+            const X speed = graze::dot(u, c.normal);
+            if (is_of(c, left_) || graze::sign(speed) * c.side >= 0 || !c.holds(crossing(c, u))) {
+                continue;
+            }
+            X height = magnitude(graze::dot(place_, c.normal));
+            X towards = magnitude(speed);
+            if (first == nullptr || graze::sign(X(height * first_speed - first_height * towards)) < 0) {
+                first = &c;
+                first_height = std::move(height);
+                first_speed = std::move(towards);
+            }
+        }
+        return first != nullptr ? first->standing : no_body;
+    }
+    [[nodiscard]] body first_at_apex(const direction& u) const {
+        const cone<N, X>* blocked = nullptr;
+        for (const cone<N, X>& c : cones_) {
+            if (is_of(c, left_) || c.slid_along) {
+                continue;
+            }
+            if (c.side == 0 || shift_into(c, cones_, u, u)) {
+                return c.standing;
+            }
+            blocked = blocked != nullptr ? blocked : &c;
+        }
+        return blocked != nullptr ? blocked->standing : no_body; // where X rounds
+    }
+
+    // Where the line through place_ meets the plane of a cone, up to a positive factor.
+    [[nodiscard]] direction crossing(const cone<N, X>& c, const direction& u) const {
+        return magnitude(graze::dot(u, c.normal)) * place_ + magnitude(graze::dot(place_, c.normal)) * u;
+    }
+    // In the plane only two directions are in a cone, of which the edge's number is the shortest.
+    [[nodiscard]] static direction along(const cone<N, X>& c, direction y) {
+        if constexpr (N == 2) {
+            const direction edge = perpendicular(c.normal);
+            const int sense = graze::sign(graze::dot(edge, y));
+            return sense == 0 ? y : sense < 0 ? -edge : edge;
+        } else {
+            return y;
+        }
+    }
+
+    std::vector<cone<N, X>> cones_;
+    direction place_; // of the point, up to a positive factor
+    body left_ = no_body;
+    body next_ = no_body;
+};
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,161 @@
+// A plane or a wall as a cone, and by which infinitesimal shifts a way through its apex meets it first.
+#pragma once
+
+#include <graze/formula/wall_features.hpp>
+#include <graze/scene/event_heap.hpp>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// What stands, seen from one of its points: the directions y with y·normal = 0 and y·inward >= 0 for the borders on
+// which that point is. side: the sign of the side from which a moving point comes; 0 if it comes along the plane. Then
+// it grazes the border, or it is slid_along: has been on it all the way, which is no event.
+template <int N, class X>
+struct cone {
+    body standing;
+    int side;
+    bool slid_along;
+    vec<N, X> normal;
+    std::array<vec<N, X>, N - 1> inward{};
+    int borders = 0;
+
+    [[nodiscard]] bool is_bordered() const noexcept { return borders > 0; }
+    // Whether a direction in its plane leads along it, its borders included or not.
+    [[nodiscard]] bool holds(const vec<N, X>& y) const { return within(y, 0); }
+    [[nodiscard]] bool holds_inside(const vec<N, X>& y) const { return within(y, 1); }
+
+  private:
+    [[nodiscard]] bool within(const vec<N, X>& y, int least) const {
+        for (int i = 0; i < borders; ++i) {
+            if (graze::sign(X(graze::dot(y, inward[static_cast<std::size_t>(i)]))) < least) {
+                return false;
+            }
+        }
+        return true;
+    }
+};
+
+template <class X>
+[[nodiscard]] X magnitude(const X& x) {
+    return graze::sign(x) < 0 ? X(-x) : x;
+}
+template <class X>
+[[nodiscard]] vec<2, X> perpendicular(const vec<2, X>& x) {
+    return {{X(-x[1]), x[0]}};
+}
+
+// Whether a line from `from` along u leads to 0 and beyond.
+template <int N, class X>
+[[nodiscard]] bool is_through_apex(const vec<N, X>& from, const vec<N, X>& u) {
+    for (int i = 0; i < N; ++i) {
+        for (int j = 0; j < i; ++j) {
+            if (graze::sign(X(from[i] * u[j] - from[j] * u[i])) != 0) {
+                return false;
+            }
+        }
+    }
+    return graze::sign(X(graze::dot(from, u))) < 0;
+}
+
+// Directions in the plane of c, at least one between any two of these lines, which are left out: its own borders, where
+// it meets the planes of the others, and where the others' borders throw their shadows if light falls along u.
+template <int N, class X>
+[[nodiscard]] std::vector<vec<N, X>> directions_in(const cone<N, X>& c, const std::vector<cone<N, X>>& others,
+                                                   const vec<N, X>& u) {
+    if constexpr (N == 2) {
+        const vec<2, X> edge = perpendicular(c.normal);
+        return {edge, -edge};
+    } else {
+        std::vector<vec<N, X>> lines;
+        const auto add = [&](const vec<N, X>& across) {
+            const vec<N, X> line = graze::cross(c.normal, across);
+            if (graze::sign(X(graze::squared_norm(line))) != 0) {
+                lines.push_back(line);
+                lines.push_back(-line);
+            }
+        };
+        for (int i = 0; i < c.borders; ++i) {
+            add(c.inward[static_cast<std::size_t>(i)]);
+        }
+        for (const cone<N, X>& other : others) {
+            add(other.normal);
+            for (int i = 0; i < other.borders; ++i) {
+                const auto border = graze::cross(other.normal, other.inward[static_cast<std::size_t>(i)]);
+                add(graze::cross(border, u));
+            }
+        }
+        std::vector<vec<N, X>> result; // not the middle, from which symmetric walls lead to edges again
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (const auto between = X(1009) * lines[i] + X(613) * lines[j];
+                    graze::sign(X(graze::squared_norm(between))) != 0) {
+                    result.push_back(between);
+                }
+            }
+            result.push_back(X(1009) * graze::cross(c.normal, lines[i]) + X(613) * lines[i]);
+        }
+        if (result.empty()) { // nothing but c's own plane
+            result.push_back(make_vec<N>([](int) { return X(0); }));
+        }
+        return result;
+    }
+}
+
+// A direction inside c alone.
+template <int N, class X>
+[[nodiscard]] vec<N, X> inside(const cone<N, X>& c) {
+    const vec<N, X> none = make_vec<N>([](int) { return X(0); });
+    const auto directions = directions_in<N, X>(c, {}, none);
+    const auto found =
+        std::find_if(directions.begin(), directions.end(), [&](const auto& d) { return c.holds_inside(d); });
+    return found != directions.end() ? *found : none;
+}
+
+// Whether a way along u, shifted from the apex to a direction d in c, comes there without having met `other`. beside:
+// it may have passed its plane where `other` is not.
+template <int N, class X>
+[[nodiscard]] bool is_free(const cone<N, X>& c, const cone<N, X>& other, const vec<N, X>& d, const vec<N, X>& u,
+                           bool beside) {
+    const X height = graze::dot(d, other.normal);
+    const int side = graze::sign(height);
+    if (side == 0) { // in the plane of `other`, which is c's too or is met on its border
+        return graze::sign(X(graze::squared_norm(graze::cross(c.normal, other.normal)))) == 0;
+    }
+    if (other.side == 0 || side == other.side) {
+        return true;
+    }
+    const X speed = graze::dot(u, other.normal);
+    return beside && !other.holds(magnitude(speed) * d - magnitude(height) * u);
+}
+
+// A shift from the apex to a place inside c, such that a way along u, which led to the apex, comes to c before all
+// others: rather one that passes none of their planes, else one that passes beside them. Of those one for which the way
+// along `after`, on which the point leaves c, leaves what the point slid along. Empty if others stand before all of c.
+template <int N, class X>
+[[nodiscard]] std::optional<vec<N, X>> shift_into(const cone<N, X>& c, const std::vector<cone<N, X>>& all,
+                                                  const vec<N, X>& u, const vec<N, X>& after) {
+    auto directions = directions_in<N, X>(c, all, u);
+    const auto leaves = [&](const vec<N, X>& d) {
+        return std::all_of(all.begin(), all.end(), [&](const cone<N, X>& other) {
+            return other.side != 0 ||
+                   graze::sign(X(graze::dot(d, other.normal))) * graze::sign(X(graze::dot(after, other.normal))) >= 0;
+        });
+    };
+    std::stable_partition(directions.begin(), directions.end(), leaves);
+    for (const bool beside : {false, true}) {
+        for (const vec<N, X>& d : directions) {
+            if (c.holds_inside(d) && std::all_of(all.begin(), all.end(), [&](const cone<N, X>& other) {
+                    return is_free(c, other, d, u, beside);
+                })) {
+                return d;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace graze::inline v0_1::detail

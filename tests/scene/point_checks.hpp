@@ -1,0 +1,219 @@
+// The run of a point against an oracle in rationals, and against balls beside it.
+#pragma once
+
+#include "exact_runs.hpp"
+#include "point_oracle.hpp"
+#include "point_scenes.hpp"
+
+#include <cmath>
+#include <string>
+
+struct told_bounce {
+    std::size_t wall;
+    graze::vec<3, double> velocity;
+    double time;
+    bool turned; // no graze
+};
+
+template <int N>
+[[nodiscard]] std::vector<told_bounce> bounces_of(const point_scene<N>& s, std::size_t most) {
+    std::vector<told_bounce> told;
+    (void)run_exactly<N>({s.point, {}, s.walls}, {.events = most}, [&](const exact_event<N>& e) {
+        graze::vec<3, double> u{};
+        for (int i = 0; i < N; ++i) {
+            u[i] = e.after_a.state.velocity[i];
+        }
+        told.push_back({static_cast<std::size_t>(e.who.b), u, e.after_a.since,
+                        e.after_a.state.velocity != e.before_a.state.velocity});
+        return true;
+    });
+    return told;
+}
+
+template <int N>
+[[nodiscard]] bool is_exact(const point_oracle::vector<N>& x) {
+    return std::ranges::all_of(x, [](const mpq_class& c) { return mpq_class(c.get_d()) == c; });
+}
+
+// Empty, or what is wrong with the run, as far as all its states are doubles. fineness: of the shifts in space.
+template <int N>
+[[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, std::size_t most, std::size_t* compared,
+                                          int fineness) {
+    using namespace point_oracle;
+    const auto told = bounces_of<N>(s, most);
+    const walls_around<N> walls(s.walls);
+    auto x = exactly(s.point[0].position), u = exactly(s.point[0].velocity);
+    mpq_class now = 0;
+    std::size_t next = 0; // of those told
+    const auto is_told = [&](std::size_t wall) {
+        return next < told.size() && told[next].wall == wall && told[next].time == now.get_d();
+    };
+    while (next < most) {
+        mpq_class when = 0;
+        auto here = walls.first(x, u, when);
+        if (here.empty()) {
+            return next == told.size() ? "" : "more than there is, at event " + std::to_string(next);
+        }
+        x = moved<N>(x, when, u);
+        now += when;
+        if (!is_exact<N>(x) || mpq_class(now.get_d()) != now) {
+            return "";
+        }
+        const auto touching = walls.at(x);
+        bool turned = false;
+        while (!here.empty() && !turned) {
+            // The first that the point can come to, shifted into it, rather from the side of the others from which it
+            // comes; what such shifts lead to.
+            std::vector<std::vector<std::size_t>> allowed;
+            std::optional<touch> met;
+            for (const touch& h : here) {
+                if (h.graze) {
+                    met = h;
+                    break;
+                }
+                // Best: it comes from the side of the others from which it did, and leaves what it slid along.
+                std::array<std::vector<std::vector<std::size_t>>, 4> by_rank;
+                for (const auto& shift : shifts_into<N>(walls[h.wall], x, fineness)) {
+                    auto sequence = walls.bounces(x, shift, u, touching, h.wall);
+                    if (sequence.empty() || sequence.front() != h.wall) {
+                        continue;
+                    }
+                    const auto after = walls[h.wall].reflected(u);
+                    bool leaves = true, on_side = true;
+                    for (const std::size_t other : touching) {
+                        const auto& n = walls[other].normal;
+                        const int came = sgn(dot<N>(u, n)), side = sgn(dot<N>(shift, n));
+                        on_side = on_side && side * came <= 0;
+                        leaves = leaves && (came != 0 || side * sgn(dot<N>(after, n)) >= 0);
+                    }
+                    by_rank[(on_side ? 0 : 2) + (leaves ? 0 : 1)].push_back(std::move(sequence));
+                }
+                for (const auto& sequences : by_rank) {
+                    allowed = allowed.empty() ? sequences : allowed;
+                }
+                if (!allowed.empty()) {
+                    met = h;
+                    break;
+                }
+            }
+            if (!met) {
+                return "the oracle finds no first wall";
+            }
+            if (met->graze) {
+                if (next >= most) {
+                    return "";
+                }
+                if (!is_told(met->wall) || told[next].turned) {
+                    return "no graze of wall " + std::to_string(met->wall) + " at event " + std::to_string(next);
+                }
+                ++next;
+                std::erase_if(here, [&](const touch& h) { return h.wall == met->wall; });
+                continue;
+            }
+            turned = true;
+            const auto matches = [&](const std::vector<std::size_t>& sequence) {
+                for (std::size_t i = 0; i < sequence.size() && next + i < most; ++i) {
+                    if (next + i >= told.size() || told[next + i].wall != sequence[i] ||
+                        told[next + i].time != now.get_d()) {
+                        return false;
+                    }
+                }
+                const std::size_t end = next + sequence.size();
+                return end >= told.size() || told[end].time != now.get_d();
+            };
+            const auto found = std::ranges::find_if(allowed, matches);
+            if (found == allowed.end()) {
+                std::string text =
+                    "otherwise at event " + std::to_string(next) + ", t = " + std::to_string(now.get_d()) + ", right:";
+                for (const std::size_t w : allowed.front()) {
+                    text += " " + std::to_string(w);
+                }
+                return text;
+            }
+            for (const std::size_t w : *found) {
+                u = walls[w].reflected(u);
+                if (next >= most) {
+                    return "";
+                }
+                for (int i = 0; i < N; ++i) {
+                    if (mpq_class(told[next].velocity[i]) != u[static_cast<std::size_t>(i)]) {
+                        return is_exact<N>(u) ? "another velocity after event " + std::to_string(next) : "";
+                    }
+                }
+                ++next;
+                if (compared != nullptr) {
+                    ++*compared;
+                }
+                if (!is_exact<N>(u)) {
+                    return "";
+                }
+            }
+        }
+    }
+    return "";
+}
+
+// The same, with shifts so fine that no way between walls of a grid is missed, where that makes a difference.
+template <int N>
+[[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, std::size_t most, std::size_t* compared) {
+    const std::string fault = fault_by_oracle<N>(s, most, compared, 6);
+    return fault.empty() || N == 2 ? fault : fault_by_oracle<N>(s, most, nullptr, 400);
+}
+
+// The same by balls of radius 2^-24 that fly 2^-18 beside the point, as far as they meet the same.
+template <int N>
+[[nodiscard]] std::string fault_beside_balls(const point_scene<N>& s, std::size_t most, std::size_t* compared,
+                                             int directions) {
+    const auto u = s.point[0].velocity;
+    std::vector<graze::vec<N, double>> across;
+    if constexpr (N == 2) {
+        static_cast<void>(directions);
+        across = {{{-u[1], u[0]}}, {{u[1], -u[0]}}};
+    } else {
+        const auto one = graze::cross(u, graze::vec<3, double>{{u[1] + 2, u[2] - 7, u[0] + 19}});
+        const auto two = graze::cross(u, one);
+        for (int i = 0; i < directions; ++i) {
+            const double angle = i * 6.283 / directions;
+            across.push_back(std::cos(angle) * one + (std::sin(angle) / std::sqrt(graze::squared_norm(u))) * two);
+        }
+    }
+    std::vector<std::vector<std::size_t>> beside;
+    for (const auto& d : across) {
+        point_scene<N> shifted = s;
+        shifted.point[0].radius = 0x1p-24;
+        shifted.point[0].position = shifted.point[0].position + (0x1p-18 / std::sqrt(graze::squared_norm(d))) * d;
+        std::vector<std::size_t> met;
+        for (const auto& b : bounces_of<N>(shifted, most)) {
+            met.push_back(b.wall);
+        }
+        beside.push_back(std::move(met));
+    }
+    std::size_t alike = beside[0].size();
+    bool all = true;
+    for (const auto& b : beside) {
+        const auto [x, y] = std::ranges::mismatch(beside[0], b);
+        alike = std::min(alike, static_cast<std::size_t>(x - beside[0].begin()));
+        all = all && b.size() == beside[0].size();
+    }
+    all = all && alike == beside[0].size() && alike < most;
+    std::vector<std::size_t> met;
+    for (const auto& b : bounces_of<N>(s, 20 * most)) {
+        if (b.turned) {
+            met.push_back(b.wall);
+        }
+    }
+    for (std::size_t i = 0; i < alike; ++i) {
+        if (i >= met.size() || met[i] != beside[0][i]) {
+            return "otherwise at bounce " + std::to_string(i);
+        }
+    }
+    if (compared != nullptr) {
+        *compared += alike;
+    }
+    return all && met.size() > alike ? "more than the balls beside it" : "";
+}
+template <int N>
+[[nodiscard]] std::string fault_beside_balls(const point_scene<N>& s, std::size_t most, std::size_t* compared) {
+    const std::string fault = fault_beside_balls<N>(s, most, compared, 16);
+    return fault.empty() || N == 2 ? fault : fault_beside_balls<N>(s, most, nullptr, 1000);
+}

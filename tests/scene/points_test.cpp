@@ -1,0 +1,93 @@
+// A point among walls, in runs: against an oracle in rationals and against balls beside it; and what was once wrong.
+#include "point_checks.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+namespace {
+
+template <int N, bool Slanted>
+void compare_scenes() {
+    std::size_t by_oracle = 0, by_balls = 0;
+    CHECK(rc::check([&] {
+        const auto seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 48);
+        const auto s = any_point_scene<N>(seed, Slanted);
+        RC_LOG() << "any_point_scene<" << N << ">(" << seed << ", " << Slanted << ")\n";
+        RC_ASSERT(fault_by_oracle<N>(s, 12, &by_oracle) == "");
+        RC_ASSERT(fault_beside_balls<N>(s, 12, &by_balls) == "");
+    }));
+    CHECK(by_oracle > 100);
+    CHECK(by_balls > 100);
+}
+
+// The walls met at each time, with the last velocity.
+std::vector<std::size_t> met_by(const point_scene<2>& s) {
+    std::vector<std::size_t> result;
+    for (const told_bounce& b : bounces_of<2>(s, 1000)) {
+        result.push_back(b.wall);
+    }
+    return result;
+}
+graze::vec<3, double> last_velocity(const point_scene<2>& s) { return bounces_of<2>(s, 1000).back().velocity; }
+
+using walls = std::vector<std::size_t>;
+
+} // namespace
+
+TEST_CASE("a point meets what the oracle says, and what balls beside it meet") {
+    compare_scenes<2, false>();
+    compare_scenes<2, true>();
+    compare_scenes<3, false>();
+    compare_scenes<3, true>();
+}
+
+TEST_CASE("at a T-junction a point bounces off the floor alone, as its neighbours do") {
+    for (const double x : {0.0, 0x1p-20, -0x1p-20}) {
+        const point_scene<2> s{{{{{x, 1}}, {{1, -1}}, 0, 1}}, {{{{0, 0}}, {{{{2, 0}}}}}, {{{1, 0}}, {{{{0, -1}}}}}}};
+        CHECK(met_by(s) == walls{0});
+        CHECK(last_velocity(s) == graze::vec<3, double>{{1, 1, 0}});
+    }
+}
+
+TEST_CASE("a point does not meet a wall on whose line it is") {
+    const point_scene<2> s{{{{{0, 1}}, {{0, -1}}, 0, 1}},
+                           {{{{-1, -1}}, {{{{1, 1}}}}}, {{{0, 0}}, {{{{1, 0}}}}}, {{{-6, -1}}, {{{{2, 2}}}}}}};
+    CHECK(met_by(s) == walls{0, 2});
+    CHECK(last_velocity(s) == graze::vec<3, double>{{0, -1, 0}});
+}
+
+TEST_CASE("a point bounces once at an outward tip, however sharp") {
+    for (const double length : {1.0, 4.0, 100.0}) {
+        for (const double lower : {-1.0, 0.0}) {
+            const point_scene<2> s{{{{{-1, 0}}, {{1, 0}}, 0, 1}},
+                                   {{{{0, 0}}, {{{{length, 1}}}}}, {{{0, 0}}, {{{{length, lower}}}}}}};
+            const auto told = bounces_of<2>(s, 1000); // one along the way is grazed
+            CHECK(std::ranges::count_if(told, &told_bounce::turned) == 1);
+        }
+    }
+}
+
+TEST_CASE("a point comes out of a wedge of walls on the side from which it came") {
+    const point_scene<2> s{{{{{8, 1}}, {{-8, -1}}, 0, 1}}, {{{{0, 0}}, {{{{9, 0}}}}}, {{{0, 0}}, {{{{8, 2}}}}}}};
+    CHECK(met_by(s).size() == 13); // as straightened out
+    CHECK(last_velocity(s)[1] > 0);
+    CHECK(last_velocity(s)[0] > 4 * last_velocity(s)[1]);
+}
+
+TEST_CASE("a point does not leave a box of slanted walls, aimed at its corners too") {
+    CHECK(rc::check([] {
+        // Corners at ±(p, q) and ±(q, -p) times 2^-4; its sides are exact, points on them are not.
+        const double p = *rc::gen::inRange(1, 99) * 0x1p-4, q = *rc::gen::inRange(1, 99) * 0x1p-4;
+        const std::array<graze::vec<2, double>, 4> corners{{{{p, q}}, {{-q, p}}, {{-p, -q}}, {{q, -p}}}};
+        point_scene<2> s;
+        for (std::size_t i = 0; i < 4; ++i) {
+            s.walls.push_back({corners[i], {{corners[(i + 1) % 4] - corners[i]}}});
+        }
+        const auto& aim = corners[*rc::gen::inRange<std::size_t>(0, 4)];
+        const double speed = *rc::gen::inRange(1, 99) * 0.01;
+        s.point.push_back({{{0, 0}}, speed * aim, 0, 1});
+        const auto finished = run_exactly<2>({s.point, {}, s.walls}, {.events = 60});
+        RC_ASSERT(finished.outcome.why == graze::ending::events);
+        RC_ASSERT(graze::squared_norm(finished.flights[0].state.position) < 1.01 * (p * p + q * q));
+    }));
+}
