@@ -5,17 +5,23 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace graze::inline v0_1 {
 
 // How far to go: up to and with events at a time, or a number of events, whichever is first; without either, until
 // nothing more happens. cascade: so many events in a row of which none is certainly later than the first end the run as
-// a cascade without end; 0 stands for 1000 and a hundred more for each ball.
+// a cascade without end; 0 stands for 1000 and a hundred more for each ball. jam: so many events in a row of one ball
+// with the same two others or fewer, during which time advances by no more than 2^-26 of itself, are a jam, which ends
+// the run as a cascade too; 0 stands for 10,000. stop_jams: balls that are jammed, but for mirrors, stop where they are
+// instead, and the others go on, until something meets one that has stopped.
 template <class T>
 struct run_limits {
     std::optional<T> time{};
     std::uint64_t events = std::numeric_limits<std::uint64_t>::max();
     std::uint64_t cascade = 0;
+    std::uint64_t jam = 0;
+    bool stop_jams = false;
 };
 
 // Whether balls are offered to their neighbours in a grid of cells, where there are enough of them, or to everyone. A
@@ -24,7 +30,7 @@ enum class cells { where_useful, none };
 
 // time: every event up to the time asked for has been done. events: so many have been. exhausted: nothing more will
 // ever happen, so that a later time or a larger number of events cannot be reached by an event. stopped: the observer
-// said so. cascade: events follow each other without end while time stands still.
+// said so. cascade: events follow each other without end while time stands still or all but does.
 enum class ending { time, events, exhausted, stopped, cascade };
 
 [[nodiscard]] constexpr const char* to_string(ending e) noexcept {
@@ -45,11 +51,14 @@ enum class ending { time, events, exhausted, stopped, cascade };
 
 // events: done in this call. choices: how many of them shared a ball with another event of exactly the same time, so
 // that an order had to be chosen; it depends on the scene's numbers alone. The other one was due as well when the first
-// of that time was taken, or has been brought about since by one that was.
+// of that time was taken, or has been brought about since by one that was. jammed: of a cascade, the ball whose event
+// would have been next and the others with which its last events were; before them all that have been stopped in this
+// call. Each is named once.
 struct outcome {
     ending why;
     std::uint64_t events = 0;
     std::uint64_t choices = 0;
+    std::vector<participant> jammed{};
 };
 
 // One event, told when it has been done. who: by the scene's indices. when: its time. before_a, after_a: ball a's

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <graze/scene/forecast.hpp>
+#include <graze/scene/jam.hpp>
 #include <graze/scene/outcome.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <sstream>
@@ -37,7 +39,8 @@ class run {
 
     // Copies the scene. Throws as check and first_events do.
     explicit run(const scene<dimension, number>& s, M m = M(), cells use = cells::where_useful)
-        : forecast_(detail::moving_scene<M>(s, std::move(m)), use == cells::where_useful), place_(s.balls.size()) {
+        : forecast_(detail::moving_scene<M>(s, std::move(m)), use == cells::where_useful), place_(s.balls.size()),
+          jams_(scene().balls()) {
         for (body a = 0; a < scene().balls(); ++a) {
             place_[static_cast<std::size_t>(scene().name(a))] = a;
         }
@@ -69,12 +72,21 @@ class run {
                 done.why = ending::time;
                 return done;
             }
+            const body a = d.what.a;
+            const body b = d.what.b;
             if (const time_bounds bounds = scene().rules().bounds(d.when); bounds.lower > still_until_) {
                 still_until_ = bounds.upper;
                 still_ = 0;
-            } else if (still_ >= patience) {
-                done.why = ending::cascade;
-                return done;
+            }
+            if (scene()[a].stopped || (b < scene().balls() && scene()[b].stopped)) {
+                return ended_by({a, b, detail::no_body}, done);
+            }
+            if (still_ >= patience) {
+                if (!limits.stop_jams) {
+                    return ended_by(jams_.around(a), done);
+                }
+                stop(jams_.around(a), done);
+                continue;
             }
             const bool goes_on = perform(observer);
             ++done.events;
@@ -82,6 +94,12 @@ class run {
             if (!goes_on) {
                 done.why = ending::stopped;
                 return done;
+            }
+            if (const body stuck = jammed(a, b, limits.jam != 0 ? limits.jam : 10000); stuck != detail::no_body) {
+                if (!limits.stop_jams) {
+                    return ended_by(jams_.around(stuck), done);
+                }
+                stop(jams_.around(stuck), done);
             }
         }
         return done;
@@ -114,6 +132,7 @@ class run {
         changed.due_.clear();
         changed.next_ = 0;
         changed.still_ = 0;
+        changed.jams_ = detail::jam_watch(scene().balls());
         changed.forecast_.predict_all(changed.now_);
         *this = std::move(changed);
     }
@@ -154,6 +173,54 @@ class run {
                : !scene()[a].immovable && is.since + std::fabs(is.since) * 0x1p-48 < now_of_states()
                    ? "state is earlier than the last event"
                    : nullptr;
+    }
+
+    using bodies = std::array<body, 3>;
+
+    // Which of the two that have just met is jammed, or no_body. Mirrors are not: nothing holds them.
+    [[nodiscard]] body jammed(body a, body b, std::uint64_t most) noexcept {
+        const bool first = !scene()[a].immovable && jams_.note(a, b, now_, most);
+        const bool second = b < scene().balls() && !scene()[b].immovable && jams_.note(b, a, now_, most);
+        return first ? a : second ? b : detail::no_body;
+    }
+    void name(const bodies& jam, outcome& done) const {
+        for (const body b : jam) {
+            if (b == detail::no_body) {
+                continue;
+            }
+            const participant part = scene().part(b);
+            if (std::find(done.jammed.begin(), done.jammed.end(), part) == done.jammed.end()) {
+                done.jammed.push_back(part);
+            }
+        }
+    }
+    [[nodiscard]] outcome ended_by(const bodies& jam, outcome& done) const {
+        name(jam, done);
+        done.why = ending::cascade;
+        return std::move(done);
+    }
+    // Those of them that can stop, stop.
+    void stop(const bodies& jam, outcome& done) {
+        run changed(*this);
+        detail::moving_scene<M>& changing = changed.forecast_.scene();
+        const auto is_ball = [&](body b) { return b < scene().balls(); };
+        const auto mirror =
+            std::find_if(jam.begin(), jam.end(), [&](body b) { return is_ball(b) && scene()[b].immovable; });
+        for (const body b : jam) {
+            if (is_ball(b) && !scene()[b].immovable) {
+                changing.stop(b, mirror != jam.end() ? *mirror : detail::no_body);
+            }
+        }
+        changed.forecast_.forget();
+        for (const body b : jam) {
+            if (is_ball(b) && !scene()[b].immovable) {
+                changed.forecast_.foresee(b);
+            }
+        }
+        changed.forecast_.accept();
+        changed.still_ = 0;
+        name(jam, done);
+        *this = std::move(changed);
     }
 
     bool take_earliest() {
@@ -217,7 +284,8 @@ class run {
     }
 
     detail::forecast<M> forecast_;
-    std::vector<body> place_;            // of a ball, by the scene's index
+    std::vector<body> place_; // of a ball, by the scene's index
+    detail::jam_watch jams_;
     std::vector<detail::due<time>> due_; // events of one time
     std::size_t next_ = 0;               // of due_
     double now_ = 0;                     // not after any event to come
