@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/predicate/overlaps_of_flights.hpp>
+#include <graze/predicate/overlaps_of_numbers.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
 
 #if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)

@@ -3,4 +3,5 @@
 
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/first_events.hpp>
+#include <graze/scene/overlapping.hpp>
 #include <graze/scene/scene.hpp>

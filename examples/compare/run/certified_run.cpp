@@ -75,6 +75,7 @@ class attempt {
             limits.events = how_far_.events.value_or(limits.events);
             const graze::outcome done = run->advance(limits, [&](const auto& e) { return note(found, check, e); });
             found.why = done.why;
+            found.jammed = done.jammed;
         } catch (const graze::undecided& error) {
             found.problem = text_of(error);
             certain = false;

@@ -33,6 +33,7 @@ template <int N>
 struct certified_result {
     std::vector<certified_event<N>> events;
     graze::ending why = graze::ending::stopped;
+    std::vector<graze::participant> jammed; // of a cascade
     std::string problem; // what ended it early, if something did: an open decision, two mirrors that meet
     certified end;       // the time of the end: that asked for, or of the last event
     std::vector<graze::ball<N, certified>> balls; // at the end

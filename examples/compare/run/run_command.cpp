@@ -5,6 +5,9 @@
 #include "../rounding.hpp"
 #include "../whole_file.hpp"
 #include "run_report.hpp"
+#include "scene_in.hpp"
+
+#include <graze/scene/overlapping.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +51,23 @@ outline circle(double x, double y, double radius) {
         o.points.push_back(place{x + radius * std::cos(angle), y + radius * std::sin(angle)});
     }
     return o;
+}
+
+// "3 pairs overlap at the start: ball 0 and ball 1, ...", or nothing.
+template <int N>
+std::string overlap_remark(const exact_scene<N>& scene) {
+    const auto own = scene_in<exact>(scene, exact(1), [](const exact& x) { return x; });
+    const std::vector<graze::meeting> pairs = graze::overlapping(own.view());
+    if (pairs.empty()) {
+        return "";
+    }
+    constexpr std::size_t most_named = 3;
+    std::string text =
+        std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair overlaps" : " pairs overlap") + " at the start: ";
+    for (std::size_t i = 0; i < std::min(pairs.size(), most_named); ++i) {
+        text += (i > 0 ? ", " : "") + to_string(pairs[i]);
+    }
+    return text + (pairs.size() > most_named ? ", ...\n" : "\n");
 }
 
 // Mirrors, walls, and planes as far as a picture reaches.
@@ -107,6 +127,7 @@ void describe(run_report& r, const certified_result<N>& proved, const run_option
         r.choices += e.chosen ? 1 : 0;
     }
     r.why = proved.why;
+    r.jammed = proved.jammed;
     r.problem = proved.problem;
     r.bits = proved.bits;
     r.attempts = proved.attempts;
@@ -216,6 +237,7 @@ bool run_scene(const run_options& o, const std::string& command, const progress_
     if (!o.paths.empty() && std::holds_alternative<exact_scene<3>>(file.scene)) {
         throw input_error("--paths: " + printable(o.scene) + " is no scene in the plane");
     }
+    std::cout << std::visit([](const auto& scene) { return overlap_remark(scene); }, file.scene) << std::flush;
     note_interruptions();
     run_report r = std::visit([&](const auto& scene) { return report_of(scene, o, types, line); }, file.scene);
     r.command = command;

@@ -39,7 +39,8 @@ struct run_report {
     std::vector<proved_event> events;
     std::string end; // the time of it, in decimals
     graze::ending why{};
-    std::string problem; // what ended the certified run early
+    std::vector<graze::participant> jammed; // of a cascade
+    std::string problem;                    // what ended the certified run early
     bool interrupted = false;
     std::uint64_t choices = 0;
     long bits = 0;

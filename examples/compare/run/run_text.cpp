@@ -44,7 +44,13 @@ std::string heading(const run_report& r) {
     } else if (r.interrupted) {
         text += "Interrupted: what follows holds up to that event.\n";
     } else if (r.why == graze::ending::cascade) {
-        text += "The run ended there: events follow each other without end while time stands still.\n";
+        std::string who;
+        for (const graze::participant& p : r.jammed) {
+            who += (who.empty() ? " among " : ", ") + to_string(p);
+        }
+        text +=
+            wrapped("The run ended there: events follow each other without end" + who + " while time stands still.") +
+            "\n";
     }
     const auto tied = static_cast<std::size_t>(
         std::count_if(r.events.begin(), r.events.end(), [](const proved_event& e) { return e.tied; }));
