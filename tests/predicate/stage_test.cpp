@@ -132,8 +132,8 @@ TEST_CASE("What is at rest recedes, without integers against planes and walls") 
         expect_overlap(true, stage::filter, at(2, 1, 0.5, zero, 0, 0), square);
         expect_overlap(false, stage::filter, at(2, 1, 5, zero, 0, 0), square);
     }
-    expect(recede, stage::double_word, at(2, 1, 5, 0x1p-1074, 0, 0x1p-1074), square);
-    expect(hit, stage::double_word, at(2, 1, 5, 0, 0, -0x1p-1074), square);
+    expect(recede, stage::refined, at(2, 1, 5, 0x1p-1074, 0, 0x1p-1074), square);
+    expect(hit, stage::refined, at(2, 1, 5, 0, 0, -0x1p-1074), square);
 }
 
 TEST_CASE("A ball and a wall") {

@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Who takes digits writes them and then keeps as many as the result has. There is room for every formula by
-// construction (proofs/exact/workspace.cpp); a program that is wrong about that ends.
+// Who takes digits writes them and then keeps as many as the result has. Exponents as far apart as can be take under
+// two thirds of the room, which is measured and not proved; a program that runs out of it ends.
 class workspace {
   public:
     constexpr workspace(std::int64_t* digits, int capacity) noexcept : next_(digits), end_(digits + capacity) {}
