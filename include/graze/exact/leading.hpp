@@ -99,8 +99,8 @@ template <int Bits>
     return {product.high << 1 | product.low >> 63, 2 * error, exponent - 1, negative};
 }
 
-// With x₂ = s₂ + δ₂ the quotient is off by at most (e₁ + e₂ s₁/s₂)/x₂, which is less than 2 (e₁ + e₂) + 1 units of a
-// quotient in [2^63, 2^64); y is not 0.
+// With x₂ = s₂ + δ₂ the quotient is off by at most (e₁ + e₂ s₁/s₂)/x₂. That is at most 2 (e₁ + e₂)/(1 - e₂/2^63) units
+// of a quotient in [2^63, 2^64), and so for e₂ <= 2^40 at most 2 (e₁ + e₂) + (e₁ + e₂)/2^21; y is not 0.
 [[nodiscard]] constexpr leading operator/(const leading& x, const leading& y) noexcept {
     if (x.significand == 0) {
         return {0, x.error, 0, false};
@@ -108,7 +108,8 @@ template <int Bits>
     const bool less = x.significand < y.significand;
     const std::uint64_t quotient =
         less ? divide(x.significand, 0, y.significand) : divide(x.significand >> 1, x.significand << 63, y.significand);
-    return {quotient, 2 * (x.error + y.error) + 2, x.exponent - y.exponent - (less ? 64 : 63),
+    const std::uint64_t error = x.error + y.error;
+    return {quotient, 2 * error + (error >> 21) + 2, x.exponent - y.exponent - (less ? 64 : 63),
             x.negative != y.negative};
 }
 
