@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <sstream>
 #include <tuple>
 
 namespace compare {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t times_of(const row& r) { return r.error(quantity::time).count + r.error(quantity::crossing).count; }
 

@@ -3,11 +3,14 @@
 
 #include "results.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace compare {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A choice of type, variant and root over all groups in which it was measured.
 struct overall {

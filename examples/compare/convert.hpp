@@ -1,12 +1,11 @@
 // From exact values to a number type, each component correctly rounded once.
 //
-// A type whose values aren't binary floating-point numbers has a specialisation of converter, in its own header
-// (convert_gmp.hpp, convert_cgal.hpp, ...) or in its translation unit.
+// A type whose values aren't binary floating-point numbers has a specialisation of converter, in its own header or
+// in its translation unit.
 #pragma once
 
-#include "rounding.hpp"
+#include "exact_view.hpp"
 
-#include <cstdint>
 #include <limits>
 
 namespace compare {
@@ -46,60 +45,32 @@ template <class T>
     return x;
 }
 
-// static T from(const exact&): the value of T nearest to it (for an interval type, the smallest that encloses it).
+// A number of at most as many bits as T has.
+template <class T>
+[[nodiscard]] T value_of(const binary_number& x) {
+    T magnitude(0);
+    if (x.infinite) {
+        magnitude = T(std::numeric_limits<double>::infinity());
+    } else {
+        const T half_digit(65536.0F); // its factors and terms are int, which every type takes
+        for (const std::uint32_t digit : x.significand.digits) {
+            magnitude = magnitude * half_digit + T(static_cast<int>(digit >> 16U));
+            magnitude = magnitude * half_digit + T(static_cast<int>(digit & 0xffffU));
+        }
+        magnitude = times_power_of_two(magnitude, x.exponent);
+    }
+    return x.significand.negative ? T(-magnitude) : magnitude;
+}
+
+// static T from(const exact_view&): the value of T nearest to it (for an interval type, the smallest that encloses it).
 template <class T>
 struct converter {
-    [[nodiscard]] static T from(const exact& x) {
-        const rounded_value r = round_to(x, format_of<T>());
-        T magnitude(0);
-        if (r.infinite) {
-            magnitude = T(std::numeric_limits<double>::infinity());
-        } else {
-            const T limb(65536.0F);
-            const auto bits = static_cast<long>(r.significand == 0 ? 0 : msb(r.significand) + 1);
-            for (long low = (bits + 15) / 16 * 16 - 16; low >= 0; low -= 16) {
-                const auto chunk = static_cast<int>((r.significand >> low) & 0xffff);
-                magnitude = magnitude * limb + T(chunk);
-            }
-            magnitude = times_power_of_two(magnitude, r.exponent);
-        }
-        return r.negative ? T(-magnitude) : magnitude;
-    }
-};
-
-template <>
-struct converter<exact> {
-    [[nodiscard]] static exact from(const exact& x) { return x; }
+    [[nodiscard]] static T from(const exact_view& x) { return value_of<T>(x.rounded(format_of<T>())); }
 };
 
 template <class T>
-[[nodiscard]] T convert(const exact& x) {
+[[nodiscard]] T convert(const exact_view& x) {
     return converter<T>::from(x);
-}
-
-template <class T, int N>
-[[nodiscard]] graze::vec<N, T> convert(const graze::vec<N, exact>& x) {
-    return graze::make_vec<N>([&](int i) { return convert<T>(x[i]); });
-}
-
-// The mass is left at 1: convert inverse_mass for graze::solve_with_inverse_masses.
-template <class T, int N>
-[[nodiscard]] graze::ball<N, T> convert(const exact_ball<N>& b) {
-    return {convert<T>(b.shape.position), convert<T>(b.shape.velocity), convert<T>(b.shape.radius), T(1)};
-}
-
-template <class T, int N>
-[[nodiscard]] graze::plane<N, T> convert(const graze::plane<N, exact>& p) {
-    return {convert<T>(p.point), convert<T>(p.normal)};
-}
-
-template <class T, int N>
-[[nodiscard]] graze::wall<N, T> convert(const graze::wall<N, exact>& w) {
-    graze::wall<N, T> result{convert<T>(w.corner), {}};
-    for (std::size_t i = 0; i < w.edge.size(); ++i) {
-        result.edge[i] = convert<T>(w.edge[i]);
-    }
-    return result;
 }
 
 } // namespace compare

@@ -51,4 +51,11 @@ std::string printable(const std::string& text, std::size_t longest) {
     return result;
 }
 
+std::string one_line(std::string message) {
+    for (char& c : message) {
+        c = c == '\n' ? ' ' : c;
+    }
+    return printable(message, 300);
+}
+
 } // namespace compare

@@ -16,4 +16,7 @@ class input_error : public std::runtime_error {
 // as \xNN.
 [[nodiscard]] std::string printable(const std::string& text, std::size_t longest = 60);
 
+// A message on one line, as printable as its text.
+[[nodiscard]] std::string one_line(std::string message);
+
 } // namespace compare

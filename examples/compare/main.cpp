@@ -10,18 +10,20 @@
 #include "options.hpp"
 #include "report.hpp"
 #include "run.hpp"
-#if COMPARE_HAS_MPFI
-#include "run/run_command.hpp"
-#endif
+#include "run/interruption.hpp"
 #include "stopwatch.hpp"
 #include "table.hpp"
 #include "text_table.hpp"
+#include "type_list.hpp"
 #include "whole_file.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -33,7 +35,7 @@ namespace compare {
 
 namespace {
 
-constexpr int worse = 1, incomplete = 1, failed = 2;
+constexpr int worse = 1, failed = 2, stopped = 130; // the last as of a program that SIGINT ended
 
 // In the order of the list, each once; another name stands for what it names.
 std::vector<measurable> types_of(const options& o) {
@@ -58,32 +60,6 @@ std::vector<measurable> types_of(const options& o) {
     return chosen;
 }
 
-// Throws if a file cannot be written, before hours of measuring.
-void check_writable(const std::string& option, const std::string& path) {
-    namespace fs = std::filesystem;
-    if (path.empty()) {
-        return;
-    }
-    std::error_code error;
-    if (fs::is_directory(path, error)) {
-        throw input_error(option + " " + printable(path, 200) + ": is a directory");
-    }
-    if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
-        if (::access(path.c_str(), W_OK) != 0) {
-            throw input_error(option + " " + printable(path, 200) + ": cannot be written");
-        }
-        return;
-    }
-    const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
-    const fs::path folder = error ? fs::path() : real.parent_path();
-    if (!fs::is_directory(folder, error)) {
-        throw input_error(option + " " + printable(path, 200) + ": no such directory");
-    }
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw input_error(option + " " + printable(path, 200) + ": the directory cannot be written to");
-    }
-}
-
 void check_outputs(const options& o) {
     namespace fs = std::filesystem;
     const std::array<std::pair<std::string, std::string>, 4> files = {
@@ -99,6 +75,39 @@ void check_outputs(const options& o) {
             }
         }
     }
+}
+
+// What takes long comes last, after a table of the others.
+void measure_in_two_parts(results& found, const std::vector<measurable>& types, const std::vector<group>& groups,
+                          const measurement_plan& plan, const progress_line& line, const table_options& table) {
+    std::vector<measurable> soon = types;
+    const auto late = std::stable_partition(soon.begin(), soon.end(), [](const auto& m) { return !m.takes_long; });
+    const std::vector<measurable> later(late, soon.end());
+    soon.erase(late, soon.end());
+    measure_all(found, soon, groups, plan, line);
+    line.show("");
+    if (!soon.empty() && !later.empty() && !run::interrupted()) {
+        results first = found;
+        draw_conclusions(first);
+        std::cout << to_text(first, table);
+        std::cout << "\nDecimal and rational types take longer, up to some "
+                  << std::lround(static_cast<double>(later.size() * groups.size()) *
+                                 (plan.scoring_seconds + plan.timing_seconds))
+                  << " s for these " << later.size() << ". Ctrl-C stops them; what has been measured is kept.\n\n"
+                  << std::flush;
+    }
+    if (!later.empty()) {
+        measure_all(found, later, groups, plan, line);
+        line.show("");
+    }
+    // In the order of the list, as if in one part.
+    const auto place = [&](const std::string& name) {
+        return std::find_if(types.begin(), types.end(), [&](const auto& m) { return m.information.name == name; });
+    };
+    std::stable_sort(found.types.begin(), found.types.end(),
+                     [&](const auto& x, const auto& y) { return place(x.name) < place(y.name); });
+    std::stable_sort(found.rows.begin(), found.rows.end(),
+                     [&](const row& x, const row& y) { return place(x.type) < place(y.type); });
 }
 
 int run_comparison(const options& o) {
@@ -122,8 +131,8 @@ int run_comparison(const options& o) {
     plan.methods = o.methods;
     plan.every_pair = o.all;
     plan.timing_seconds = o.timing;
-    measure_all(found, types, groups, plan, line);
-    line.show("");
+    run::note_interruptions();
+    measure_in_two_parts(found, types, groups, plan, line, o.table);
     draw_conclusions(found);
     found.seconds = watch.seconds();
     if (!o.json.empty()) {
@@ -136,7 +145,7 @@ int run_comparison(const options& o) {
     if (!o.picture.empty()) { // last: without gnuplot this one fails
         write_picture(found, o.picture);
     }
-    return 0;
+    return run::interrupted() ? stopped : 0;
 }
 
 int run_diff(const options& o) {
@@ -148,18 +157,19 @@ int run_diff(const options& o) {
     return found.worse.empty() ? 0 : worse;
 }
 
-int run_run(const options& o) {
+// Certified runs are a program of their own, which is built when one is wanted. Returns only by an exception.
+[[noreturn]] void hand_over_run(char** argv) {
 #if COMPARE_HAS_MPFI
-    for (const auto& [option, path] :
-         {std::pair("--json", o.run_of_scene.json), std::pair("--picture", o.run_of_scene.picture),
-          std::pair("--paths", o.run_of_scene.paths)}) {
-        check_writable(option, path);
-    }
-    const progress_line line(::isatty(STDERR_FILENO) != 0);
-    return run::run_scene(o.run_of_scene, o.command, line) ? 0 : incomplete;
+    std::error_code error;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::string program =
+        std::filesystem::path(error ? argv[0] : self.string()).replace_filename("graze-compare-run");
+    ::execv(program.c_str(), argv);
+    throw input_error("run: " + program + ": " + std::strerror(errno) +
+                      "; the target graze-compare-run builds it, as ./graze compare run does");
 #else
-    throw input_error("run: " + printable(o.run_of_scene.scene) +
-                      ": this build has no certified runs, libmpfi was not found");
+    static_cast<void>(argv);
+    throw input_error("run: this build has no certified runs, libmpfi was not found");
 #endif
 }
 
@@ -187,7 +197,7 @@ void list_families() {
     }
 }
 
-int act(int argc, const char* const* argv) {
+int act(int argc, char** argv) {
     const options o = parse_options(argc, argv);
     switch (o.what) {
     case action::compare:
@@ -195,7 +205,7 @@ int act(int argc, const char* const* argv) {
     case action::diff:
         return run_diff(o);
     case action::run:
-        return run_run(o);
+        hand_over_run(argv);
     case action::list_types:
         list_types();
         break;

@@ -1,66 +1,57 @@
-// Measures one number type: the formulas of graze::solve run in it, in every variant, on every pair.
+// One number type: the formulas of graze::solve in it, in every variant, on every pair.
 #pragma once
 
-#include "measurable.hpp"
-#include "reader.hpp"
 #include "solve_pairs.hpp"
 
 #include <memory>
-#include <utility>
+#include <vector>
 
 namespace compare {
 
 template <class R, int N>
-void read_vector(std::vector<computed>& values, const graze::vec<N, R>& x, const std::vector<true_value>& right) {
+void read_position(const graze::vec<N, R>& x, answer_sink& to) {
     for (int i = 0; i < N; ++i) {
-        values.push_back(reader<R>::read(x[i], right[values.size()]));
+        reader<R>::read(x[i], to.position());
+    }
+}
+template <class R, int N>
+void read_velocity(const graze::vec<N, R>& x, answer_sink& to) {
+    for (int i = 0; i < N; ++i) {
+        reader<R>::read(x[i], to.velocity());
     }
 }
 
-// The values that the truth has too.
-template <int N, class T>
-[[nodiscard]] answer read_answer(const graze::ball_solution<N, T>& s, const truth& right) {
-    answer given;
-    given.what = s.what;
-    given.discriminant = reader<T>::read(s.discriminant, *right.discriminant);
-    if (same_decision(given, right) && graze::is_collision(right.what)) {
-        given.time = reader<graze::root_type<T>>::read(s.time, right.time);
-        read_vector(given.positions, s.position_a, right.positions);
-        read_vector(given.positions, s.position_b, right.positions);
-        read_vector(given.velocities, s.velocity_a, right.velocities);
-        read_vector(given.velocities, s.velocity_b, right.velocities);
-    }
-    return given;
-}
-
-template <int N, class T>
-[[nodiscard]] answer read_answer(const graze::wall_solution<N, T>& s, const truth& right) {
-    answer given;
-    given.what = s.what;
-    given.where = s.where;
-    given.index = s.index;
-    if (same_decision(given, right) && graze::is_collision(right.what)) {
-        if (right.discriminant) {
-            given.discriminant = reader<T>::read(s.discriminant, *right.discriminant);
-        }
-        given.time = reader<graze::root_type<T>>::read(s.time, right.time);
-        read_vector(given.positions, s.position, right.positions);
-        read_vector(given.velocities, s.velocity, right.velocities);
-    }
-    return given;
-}
-
-// Reads one solution, to be held against the truth.
+// Tells one solution.
 template <int N, class T>
 class answering_sink final : public solution_sink<N, T> {
+    using real = graze::root_type<T>;
+
   public:
-    explicit answering_sink(const truth& right) : right_(right) {}
-    void take(const graze::ball_solution<N, T>& s) override { given = read_answer(s, right_); }
-    void take(const graze::wall_solution<N, T>& s) override { given = read_answer(s, right_); }
-    answer given;
+    explicit answering_sink(answer_sink& to) : to_(to) {}
+    void take(const graze::ball_solution<N, T>& s) override {
+        const bool due = to_.decided(s.what);
+        reader<T>::read(s.discriminant, to_.discriminant());
+        if (due) {
+            reader<real>::read(s.time, to_.time());
+            read_position(s.position_a, to_);
+            read_position(s.position_b, to_);
+            read_velocity(s.velocity_a, to_);
+            read_velocity(s.velocity_b, to_);
+        }
+    }
+    void take(const graze::wall_solution<N, T>& s) override {
+        if (to_.decided(s.what, s.where, s.index)) {
+            if (to_.has_discriminant()) {
+                reader<T>::read(s.discriminant, to_.discriminant());
+            }
+            reader<real>::read(s.time, to_.time());
+            read_position(s.position, to_);
+            read_velocity(s.velocity, to_);
+        }
+    }
 
   private:
-    const truth& right_;
+    answer_sink& to_;
 };
 
 // Forgets solutions, but lets lazy numbers be computed first.
@@ -102,10 +93,10 @@ class forgetting_sink final : public solution_sink<N, T> {
 template <int N, class T>
 class formula_solver final : public solver {
   public:
-    explicit formula_solver(const std::vector<problem<N>>& problems) {
-        inputs_.reserve(problems.size());
-        for (const problem<N>& pair : problems) {
-            inputs_.push_back(convert_pair<T>(pair));
+    explicit formula_solver(const pair_list& list) {
+        inputs_.reserve(list.pairs.size());
+        for (const pair_numbers& pair : list.pairs) {
+            inputs_.push_back(convert_pair<T, N>(pair));
         }
         add<graze::variant::textbook>();
         add<graze::variant::halved>();
@@ -119,11 +110,9 @@ class formula_solver final : public solver {
 
     void run(std::size_t how, std::size_t count) override { solve_[how](inputs_.data(), count, *forgetting_); }
 
-    [[nodiscard]] answer answer_to(std::size_t how, std::size_t pair, const truth& right) override {
-        answering_sink<N, T> sink(right);
-        const outcome ended = solve_[how](&inputs_[pair], 1, sink);
-        sink.given.how = ended;
-        return std::move(sink.given);
+    outcome answer_to(std::size_t how, std::size_t pair, answer_sink& to) override {
+        answering_sink<N, T> sink(to);
+        return solve_[how](&inputs_[pair], 1, sink);
     }
 
   private:
@@ -144,11 +133,11 @@ class formula_solver final : public solver {
 };
 
 template <class T>
-[[nodiscard]] std::unique_ptr<solver> prepare(const group& pairs) {
-    if (const auto* plane = std::get_if<group_pairs<2>>(&pairs.pairs)) {
-        return std::make_unique<formula_solver<2, T>>(plane->problems);
+[[nodiscard]] std::unique_ptr<solver> prepare(const pair_list& list) {
+    if (list.dimension == 2) {
+        return std::make_unique<formula_solver<2, T>>(list);
     }
-    return std::make_unique<formula_solver<3, T>>(std::get<group_pairs<3>>(pairs.pairs).problems);
+    return std::make_unique<formula_solver<3, T>>(list);
 }
 
 // What the traits say of T, ready to be completed.
@@ -166,7 +155,7 @@ template <class T>
     information.real_bytes = sizeof(graze::root_type<T>);
     information.uses_heap = uses_heap;
     information.note = note;
-    return {information, &prepare<T>};
+    return {information, &prepare<T>, traits::is_exact};
 }
 
 } // namespace compare

@@ -46,7 +46,7 @@ std::vector<quantity> quantities_of(const std::vector<std::string>& names) {
 }
 
 // CLI11 takes "-1" and what is too large for unsigned numbers too.
-const CLI::Validator whole_number(
+const CLI::Validator unsigned_number(
     [](const std::string& text) {
         std::uint64_t value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -55,13 +55,6 @@ const CLI::Validator whole_number(
     },
     "");
 const CLI::Validator named([](const std::string& name) { return name.empty() ? "an empty name" : std::string(); }, "");
-
-std::string one_line(std::string text) {
-    for (char& c : text) {
-        c = c == '\n' ? ' ' : c;
-    }
-    return printable(text, 300);
-}
 
 } // namespace
 
@@ -92,7 +85,7 @@ options parse_options(int argc, const char* const* argv) {
         ->needs(family);
     app.add_option("--seed", o.seed, "Of the family, or of a scene's sample")
         ->capture_default_str()
-        ->check(whole_number);
+        ->check(unsigned_number);
     app.add_option("--as", as, "double: round the scene's numbers to doubles first; exact: take them as written")
         ->capture_default_str()
         ->check(CLI::IsMember({"double", "exact"}));
@@ -122,15 +115,15 @@ options parse_options(int argc, const char* const* argv) {
                                    "when a decision or an error got worse");
     diff->add_option("old", o.old_results, "The earlier results")->required();
     diff->add_option("new", o.new_results, "The later results")->required();
-    run::raw_run_options raw_run;
-    CLI::App* running = run::add_run_command(app, raw_run);
+    CLI::App* running = app.add_subcommand("run", "The proved sequence of a scene's collisions, and how long every "
+                                                  "number type keeps to it (run --help tells more)");
+    running->set_help_flag(); // what follows is another program's
+    running->prefix_command();
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         o.what = action::help;
-        o.help = diff->parsed()      ? diff->help(app.get_name())
-                 : running->parsed() ? running->help(app.get_name())
-                                     : app.help();
+        o.help = diff->parsed() ? diff->help(app.get_name()) : app.help();
         return o;
     } catch (const CLI::ParseError& error) {
         throw input_error(one_line(error.what()));
@@ -138,9 +131,6 @@ options parse_options(int argc, const char* const* argv) {
     o.numbers = as == "exact" ? number_input::exactly : number_input::as_double;
     o.methods = methods_of(variants);
     o.table.quantities = quantities_of(quantities);
-    if (running->parsed()) {
-        o.run_of_scene = run::checked(raw_run, *running);
-    }
     o.what = diff->parsed()      ? action::diff
              : running->parsed() ? action::run
              : list_types        ? action::list_types

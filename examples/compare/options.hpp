@@ -1,9 +1,8 @@
 // The command line.
 #pragma once
 
-#include "measurable.hpp"
-#include "run/run_options.hpp"
-#include "scene_reader.hpp"
+#include "method.hpp"
+#include "number_input.hpp"
 #include "table.hpp"
 
 #include <cstddef>
@@ -32,7 +31,6 @@ struct options {
     double timing = 0.5;
     std::string json, report, picture;
     std::string old_results, new_results; // of diff
-    run::run_options run_of_scene;        // of run
     std::string command;                  // as typed
 };
 

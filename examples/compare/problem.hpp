@@ -1,6 +1,8 @@
 // The pairs that the program compares on, with exact rational data, from whatever source.
 #pragma once
 
+#include "pair_numbers.hpp"
+
 #include <graze/number/adapter/boost.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
@@ -28,8 +30,6 @@ struct exact_scene {
     std::vector<graze::plane<N, exact>> planes;
     std::vector<graze::wall<N, exact>> walls;
 };
-
-enum class pair_kind { ball_ball, ball_plane, ball_wall };
 
 // One pair: a and, by kind, b, plane or wall. group: the scene's name or the family's. hardness: the family's k, or -1.
 template <int N>

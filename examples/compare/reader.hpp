@@ -1,53 +1,79 @@
-// Reads the value that a number type computed, exactly.
+// Tells the value that a number type computed, exactly.
 #pragma once
 
 #include "convert.hpp"
-#include "true_value.hpp"
+#include "solver.hpp"
 
-#include <cmath>
+#include <graze/number/sqrt_extension.hpp>
+
+#include <utility>
 
 namespace compare {
 
-// Specialise for a number type T:
-//   static computed read(const T& x, const true_value& right);   right: what it should be, for types that can only
-//                                                                compare
+// A finite number of a binary type, taken apart by operations that are exact in it.
+template <class T>
+[[nodiscard]] binary_number taken_apart(T x) {
+    const T large = T(65536) * T(65536);
+    const T small = T(1) / large;
+    binary_number result;
+    result.significand.negative = x < T(0);
+    if (result.significand.negative) {
+        x = -x;
+    }
+    result.exponent = 32;
+    for (; x >= large; x = x * small) {
+        result.exponent += 32;
+    }
+    for (; x > T(0) && x < T(1); x = x * large) {
+        result.exponent -= 32;
+    }
+    while (x > T(0)) {
+        const auto digit = static_cast<std::uint32_t>(x);
+        result.significand.digits.push_back(digit);
+        x = (x - T(digit)) * large;
+        result.exponent -= 32;
+    }
+    return result;
+}
+
+// A type whose values aren't binary floating-point numbers specialises
+//   static void read(const T& x, const request& asked);   tells x
 //   static void settle(const T& x);   only of lazy types: makes x compute what printing it would need; it is timed
 template <class T>
-struct reader;
-
-template <class T>
-requires std::is_floating_point_v<T>
-struct reader<T> {
-    [[nodiscard]] static computed read(T x, const true_value&) {
-        using widest = std::conditional_t<std::is_same_v<T, float>, double, T>;
-        return std::isfinite(x) ? computed(wide_of(static_cast<widest>(x))) : computed(not_finite{});
+struct reader {
+    static void read(const T& x, const request& asked) {
+        if (x - x == T(0)) {
+            asked.to.number(taken_apart<T>(x));
+        } else {
+            asked.to.not_finite();
+        }
     }
 };
 
 // For an exact type: whether x is the true value, decided in the type itself.
 template <class T>
-[[nodiscard]] bool is_exactly_right(const T& x, const true_value& right) {
-    return graze::sign(right.exactly().q()) == 0 && graze::sign(T(x - convert<T>(right.exactly().p()))) == 0;
+[[nodiscard]] bool is_exactly_right(const T& x, const due_number& due) {
+    return due.q.is_zero() && graze::sign(T(x - convert<T>(due.p))) == 0;
 }
 template <class T>
-[[nodiscard]] bool is_exactly_right(const graze::sqrt_extension<T>& x, const true_value& right) {
+[[nodiscard]] bool is_exactly_right(const graze::sqrt_extension<T>& x, const due_number& due) {
     if (graze::sign(x.q()) == 0) {
-        return is_exactly_right(x.p(), right);
+        return is_exactly_right(x.p(), due);
     }
-    const exact_real& due = right.exactly();
-    const T q = convert<T>(due.q());
-    return graze::sign(x.q()) == graze::sign(q) && graze::sign(T(x.p() - convert<T>(due.p()))) == 0 &&
-           graze::sign(T(x.q() * x.q() * x.d() - q * q * convert<T>(due.d()))) == 0;
+    const T q = convert<T>(due.q);
+    return graze::sign(x.q()) == graze::sign(q) && graze::sign(T(x.p() - convert<T>(due.p))) == 0 &&
+           graze::sign(T(x.q() * x.q() * x.d() - q * q * convert<T>(due.d))) == 0;
 }
 
 template <class T>
 struct reader<graze::sqrt_extension<T>> {
     using real = graze::sqrt_extension<T>;
-    [[nodiscard]] static computed read(const real& x, const true_value& right) {
-        if (is_exactly_right(x, right)) {
-            return exactly_right{};
+    static void read(const real& x, const request& asked) {
+        if (is_exactly_right(x, asked.due)) {
+            asked.to.exactly_right();
+        } else {
+            asked.to.surd(reader<T>::parts_of(x.p()), reader<T>::parts_of(x.q()), reader<T>::parts_of(x.d()));
         }
-        return exact_real(reader<T>::value_of(x.p()), reader<T>::value_of(x.q()), reader<T>::value_of(x.d()));
     }
     static void settle(const real& x) requires requires(const T& y) { reader<T>::settle(y); }
     {
@@ -58,11 +84,15 @@ struct reader<graze::sqrt_extension<T>> {
 };
 
 // A base for readers of exact rational types, which provide
-//   static exact value_of(const T& x)
+//   static fraction parts_of(const T& x)
 template <class T>
 struct exact_reader {
-    [[nodiscard]] static computed read(const T& x, const true_value& right) {
-        return is_exactly_right(x, right) ? computed(exactly_right{}) : computed(exact_real(reader<T>::value_of(x)));
+    static void read(const T& x, const request& asked) {
+        if (is_exactly_right(x, asked.due)) {
+            asked.to.exactly_right();
+        } else {
+            asked.to.surd(reader<T>::parts_of(x), fraction{{}, {false, {1}}}, fraction{{}, {false, {1}}});
+        }
     }
 };
 

@@ -1,6 +1,7 @@
 // From an exact value to the nearest one of a binary floating format, in integers.
 #pragma once
 
+#include "exact_view.hpp"
 #include "problem.hpp"
 
 namespace compare {
@@ -8,14 +9,6 @@ namespace compare {
 // A whole number of any size.
 using exact_integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-
-// In the convention of std::numeric_limits: finite values are below 2^max_exponent, the smallest normal one is
-// 2^(min_exponent - 1), and the subnormal ones below it are multiples of 2^(min_exponent - digits).
-struct binary_format {
-    long digits;
-    long min_exponent;
-    long max_exponent;
-};
 
 inline constexpr binary_format double_format{53, -1021, 1024};
 

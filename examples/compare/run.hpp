@@ -1,14 +1,19 @@
 // The measurement itself: every type on every group.
 #pragma once
 
+#include "group.hpp"
+#include "method.hpp"
 #include "progress.hpp"
-#include "type_list.hpp"
 
 #include <vector>
 
 namespace compare {
 
-// Fills in types and rows.
+// A row for each method of the plan, without the names of type and group; none if it was interrupted.
+[[nodiscard]] std::vector<row> measure(const measurable& type, const group& pairs, const measurement_plan& plan);
+
+// Adds the types and their rows, in the order of the types, to those that are there. Where it is interrupted, what has
+// not been measured is named among what is missing.
 void measure_all(results& found, const std::vector<measurable>& types, const std::vector<group>& groups,
                  const measurement_plan& plan, const progress_line& line);
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "input_error.hpp"
+#include "number_input.hpp"
 #include "problem.hpp"
 
 #include <string>
@@ -24,10 +25,6 @@ struct scene_file {
     std::string source;
     std::variant<exact_scene<2>, exact_scene<3>> scene;
 };
-
-// exactly: as written. as_double: each number rounded to the nearest double, so that all types solve the same problem;
-// one that overflows is an error.
-enum class number_input { as_double, exactly };
 
 // Throws input_error. The file is at most 256 MiB.
 [[nodiscard]] scene_file read_scene(const std::string& path, number_input numbers = number_input::as_double);

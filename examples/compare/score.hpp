@@ -2,6 +2,7 @@
 #pragma once
 
 #include "results.hpp"
+#include "solver.hpp"
 #include "statistics.hpp"
 #include "truth.hpp"
 
@@ -9,8 +10,6 @@
 #include <utility>
 
 namespace compare {
-
-enum class outcome { answered, undecided, failed };
 
 // A type's answer for one pair. Vectors are laid end to end, as in truth.
 struct answer {

@@ -1,9 +1,7 @@
 // Pairs in one number type, and graze::solve on a row of them.
 #pragma once
 
-#include "convert.hpp"
 #include "reader.hpp"
-#include "score.hpp"
 
 #include <graze/solve.hpp>
 
@@ -23,23 +21,55 @@ struct input {
     graze::wall<N, T> wall{};
 };
 
+// Takes converted numbers off a row.
+template <class T>
+class number_row {
+  public:
+    explicit number_row(const pair_numbers& pair) : next_(pair.numbers.data()) {}
+    [[nodiscard]] T number() { return convert<T>(*next_++); }
+    template <int N>
+    void take(graze::vec<N, T>& to) {
+        for (int i = 0; i < N; ++i) {
+            to[i] = number();
+        }
+    }
+    template <int N>
+    void take(graze::ball<N, T>& to) { // the mass is left at 1: inverse masses are taken apart from it
+        take(to.position);
+        take(to.velocity);
+        to.radius = number();
+        to.mass = T(1);
+    }
+    void skip() { ++next_; }
+
+  private:
+    const exact_view* next_;
+};
+
 template <class T, int N>
-[[nodiscard]] input<N, T> convert_pair(const problem<N>& pair) {
+[[nodiscard]] input<N, T> convert_pair(const pair_numbers& pair) {
     input<N, T> result;
     result.kind = pair.kind;
     try {
-        result.a = convert<T>(pair.a);
+        number_row<T> row(pair);
+        row.take(result.a);
         switch (pair.kind) {
         case pair_kind::ball_ball:
-            result.b = convert<T>(pair.b);
-            result.inverse_a = convert<T>(pair.a.inverse_mass);
-            result.inverse_b = convert<T>(pair.b.inverse_mass);
+            result.inverse_a = row.number();
+            row.take(result.b);
+            result.inverse_b = row.number();
             break;
         case pair_kind::ball_plane:
-            result.plane = convert<T>(pair.plane);
+            row.skip();
+            row.take(result.plane.point);
+            row.take(result.plane.normal);
             break;
         case pair_kind::ball_wall:
-            result.wall = convert<T>(pair.wall);
+            row.skip();
+            row.take(result.wall.corner);
+            for (auto& edge : result.wall.edge) {
+                row.take(edge);
+            }
             break;
         }
     } catch (const std::exception&) {

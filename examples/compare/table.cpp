@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace compare {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double notable_bits = 1.0; // less is not worth a line among the best
 
 std::string percent(std::size_t part, std::size_t whole) {
@@ -67,7 +65,7 @@ std::string heading(const results& found) {
         out << wrapped(text) << (g.description.empty() ? "" : wrapped(g.description, "  "));
     }
     for (const missing_type& m : found.missing) {
-        out << wrapped("Not in this build: " + m.name + " (" + m.reason + ").");
+        out << wrapped("Not measured: " + m.name + " (" + m.reason + ").");
     }
     return out.str() + "\n";
 }

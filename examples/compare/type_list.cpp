@@ -5,7 +5,7 @@
 namespace compare {
 
 // COMPARE_HAS_* are set by the build, for the libraries that it found. A type is added by a source file in types/, a
-// line in types.hpp and one in each list below; what it is measured by need not be graze::solve (see measurable).
+// line in types.hpp and one in each list below; what it is measured by need not be graze::solve (see solver).
 
 std::vector<measurable> all_types() {
     std::vector<measurable> list;

@@ -1,7 +1,7 @@
 // All number types that this program was built with.
 #pragma once
 
-#include "measurable.hpp"
+#include "solver.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,7 @@
 #include "whole_file.hpp"
 
+#include "input_error.hpp"
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -43,6 +45,31 @@ void write_whole_file(const std::string& path, std::string_view content) {
             std::filesystem::remove(first, ignored);
         }
         throw std::runtime_error(path + ": cannot be written: " + (failure.empty() ? error.message() : failure));
+    }
+}
+
+void check_writable(const std::string& option, const std::string& path) {
+    namespace fs = std::filesystem;
+    if (path.empty()) {
+        return;
+    }
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+        throw input_error(option + " " + printable(path, 200) + ": is a directory");
+    }
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+        if (::access(path.c_str(), W_OK) != 0) {
+            throw input_error(option + " " + printable(path, 200) + ": cannot be written");
+        }
+        return;
+    }
+    const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
+    const fs::path folder = error ? fs::path() : real.parent_path();
+    if (!fs::is_directory(folder, error)) {
+        throw input_error(option + " " + printable(path, 200) + ": no such directory");
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw input_error(option + " " + printable(path, 200) + ": the directory cannot be written to");
     }
 }
 

@@ -11,4 +11,7 @@ namespace compare {
 // Throws std::runtime_error that names path and says what failed.
 void write_whole_file(const std::string& path, std::string_view content);
 
+// That the file an option names could be written, before hours of measuring; an empty path is none. Throws input_error.
+void check_writable(const std::string& option, const std::string& path);
+
 } // namespace compare

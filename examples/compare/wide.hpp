@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 namespace compare {
 
@@ -42,32 +41,5 @@ using wide = boost::multiprecision::number<
 
 // The exact value.
 [[nodiscard]] exact to_exact(const wide& x);
-
-// The value of a finite binary number of a built-in type, exactly: taken apart in pieces of 32 bits, for types that
-// wide has no constructor for.
-template <class T>
-[[nodiscard]] wide taken_apart(T x) {
-    const T large = T(65536) * T(65536);
-    const T small = T(1) / large;
-    const bool negative = x < T(0);
-    if (negative) {
-        x = -x;
-    }
-    int exponent = 0;
-    for (; x >= large; x *= small) {
-        exponent += 32;
-    }
-    for (; x > T(0) && x < T(1); x *= large) {
-        exponent -= 32;
-    }
-    wide sum = 0;
-    while (x > T(0)) {
-        const auto piece = static_cast<std::uint64_t>(x);
-        sum += ldexp(wide(piece), exponent);
-        x = (x - static_cast<T>(piece)) * large;
-        exponent -= 32;
-    }
-    return negative ? wide(-sum) : sum;
-}
 
 } // namespace compare

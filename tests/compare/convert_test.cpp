@@ -1,6 +1,7 @@
 // Exact values in other binary formats: against the C library for its types, and against MPFR's own rounding.
-#include "convert.hpp"
+#include "exact_access.hpp"
 #include "exact_text.hpp"
+#include "solve_pairs.hpp"
 
 #include "../../examples/families/random.hpp"
 
@@ -111,14 +112,24 @@ TEST_CASE("any binary format, and Boost's types: as MPFR rounds the text") {
     }
 }
 
-TEST_CASE("a vector and a whole ball") {
-    exact_ball<2> b;
-    b.shape.position = {{exact(1, 3), exact(2)}};
-    b.shape.velocity = {{exact(0), exact(-1, 10)}};
-    b.shape.radius = exact(1, 7);
-    const graze::ball<2, float> f = convert<float>(b);
-    CHECK(f.position[0] == 1.0F / 3.0F);
-    CHECK(f.position[1] == 2.0F);
-    CHECK(f.velocity[1] == -0.1F);
-    CHECK(f.radius == 1.0F / 7.0F);
+TEST_CASE("a whole pair") {
+    std::vector<exact> numbers;
+    for (int i = 1; i <= 12; ++i) {
+        numbers.push_back(exact(i % 2 == 0 ? i : -i, 7));
+    }
+    pair_numbers row{pair_kind::ball_ball, {}};
+    for (const exact& x : numbers) {
+        row.numbers.push_back(exact_access::view(x));
+    }
+    const auto pair = convert_pair<float, 2>(row);
+    CHECK(pair.valid);
+    const auto sevenths = [](int n) { return static_cast<float>(n) / 7.0F; };
+    CHECK(pair.a.position[0] == sevenths(-1));
+    CHECK(pair.a.position[1] == sevenths(2));
+    CHECK(pair.a.velocity[1] == sevenths(4));
+    CHECK(pair.a.radius == sevenths(-5));
+    CHECK(pair.a.mass == 1.0F);
+    CHECK(pair.inverse_a == sevenths(6));
+    CHECK(pair.b.position[0] == sevenths(-7));
+    CHECK(pair.inverse_b == sevenths(12));
 }

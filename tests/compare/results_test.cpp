@@ -19,7 +19,7 @@ using namespace compare;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 class temporary_file {
   public:
@@ -75,8 +75,8 @@ results small_results() {
     rational.is_exact = true;
     found.types = {binary, rational};
     found.rows = {row_of("double", "textbook", 10, 3, 40, 47), row_of("double", "lagrange", 20, 0, 2, 51),
-                  row_of("double", "kahan", 25, 0, 2, 51), row_of("rational", "halved", 900, 0, 0, infinity),
-                  row_of("rational", "lagrange", 800, 0, 0, infinity)};
+                  row_of("double", "kahan", 25, 0, 2, 51), row_of("rational", "halved", 900, 0, 0, unbounded),
+                  row_of("rational", "lagrange", 800, 0, 0, unbounded)};
     return found;
 }
 
@@ -84,8 +84,8 @@ results small_results() {
 
 TEST_CASE("what is written is read again") {
     results found = sample_results();
-    found.rows[0].error(quantity::time).largest = infinity;
-    found.rows[0].error(quantity::time).fewest_bits = -infinity;
+    found.rows[0].error(quantity::time).largest = unbounded;
+    found.rows[0].error(quantity::time).fewest_bits = -unbounded;
     found.rows[0].nanoseconds.reset();
     const std::string text = to_json(found);
     const temporary_file file;
@@ -93,7 +93,7 @@ TEST_CASE("what is written is read again") {
     const results again = read_results(file.path);
     CHECK(to_json(again) == text);
     CHECK(again.rows.size() == found.rows.size());
-    CHECK(again.rows[0].error(quantity::time).largest == infinity);
+    CHECK(again.rows[0].error(quantity::time).largest == unbounded);
     CHECK_FALSE(again.rows[0].nanoseconds);
     CHECK(again.rows[1].nanoseconds == found.rows[1].nanoseconds);
     CHECK(again.groups[0].name == found.groups[0].name);

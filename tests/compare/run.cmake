@@ -22,4 +22,4 @@ target_compile_definitions(compare_run_program_test PRIVATE
     "GRAZE_COMPARE=\"$<TARGET_FILE:graze-compare>\"" "GRAZE_SCENES=\"${PROJECT_SOURCE_DIR}/examples/scenes\""
     "GRAZE_TEST_SCENES=\"${CMAKE_CURRENT_SOURCE_DIR}/scenes\""
     "GRAZE_JSON_PAGE=\"${PROJECT_SOURCE_DIR}/docs/reference/run-json.md\"")
-add_dependencies(compare_run_program_test graze-compare)
+add_dependencies(compare_run_program_test graze-compare graze-compare-run)

@@ -17,7 +17,9 @@ stand_in apt-cache 'case $* in *unknown) exit 100 ;; esac'
 stand_in apt-get 'exit ${APT_STATUS:-0}'
 stand_in sudo '"$@"'
 stand_in id 'echo ${USER_ID:-0}'
-stand_in cmake 'echo "noise of cmake"; echo "-- graze: a remark"; exit ${CMAKE_STATUS:-0}'
+stand_in cmake 'echo "noise of cmake"; echo "-- graze: a remark"
+case $1 in --build) echo "[1/20] Building"; echo "[ 7%] Building"; echo "[11/20] Building"; exit ${BUILD_STATUS:-0} ;; esac
+exit ${CMAKE_STATUS:-0}'
 stand_in ctest ''
 chmod +x "$work"/bin/*
 program=build/release/examples/compare/graze-compare
@@ -64,6 +66,11 @@ has calls '^cmake --preset release -DGRAZE_BUILD_TESTS=OFF'
 has calls '^cmake --build build/release --target graze-compare'
 has out "graze-compare in .*/elsewhere: <--report> <graze-report.html>"
 has out '^-- graze: a remark'
+has err '^graze: building 1/20$'
+lacks err '7%' # no tenth
+has err '^graze: building 11/20$'
+lacks err noise
+lacks calls graze-compare-run
 lacks calls sudo
 lacks calls ctest
 
@@ -96,6 +103,11 @@ run 2 report --no-install one two; has err 'one folder, not 2'
 APT_STATUS=100; export APT_STATUS
 run 100 compare; has err 'this failed: as_root apt-get update'; lacks calls cmake
 unset APT_STATUS
+run 0 compare --no-install run scene.json; has calls '^cmake --build build/release --target graze-compare graze-compare-run '
+has out ': <run> <scene.json>$'
+BUILD_STATUS=3; export BUILD_STATUS
+run 1 compare --no-install; has err 'noise of cmake'; has err 'could not be built: graze-compare'; lacks out 'graze-compare in'
+unset BUILD_STATUS
 CMAKE_STATUS=3; export CMAKE_STATUS
 run 3 compare --no-install; has err 'noise of cmake'; lacks out graze-compare
 unset CMAKE_STATUS

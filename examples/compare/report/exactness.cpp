@@ -33,7 +33,7 @@ constexpr double none = -5.5; // where nothing is wrong, below 10^-5
     return front;
 }
 
-[[nodiscard]] std::string hover_text(const candidate& c) {
+[[nodiscard]] std::string exactness_hover_text(const candidate& c) {
     return c.name() + ": " + readable_time(*c.nanoseconds) + ", " +
            (c.imperfect > 0 ? readable(100 * c.imperfect) + "% of the answers not right to the last bit"
                             : "every answer right to the last bit");
@@ -86,7 +86,8 @@ std::string exactness_picture(const results& found, format size) {
     for (const auto& c : points) {
         occupied.push_back({pixel_x(c) - 5, pixel_y(c) - 5, pixel_x(c) + 5, pixel_y(c) + 5});
         alike[{marker_of(c.variant) - (c.decides_right() ? 0 : 1), colour_of(c)}] +=
-            exactly(std::log10(*c.nanoseconds)) + " " + exactly(height_of(c)) + " " + p.text(hover_text(c)) + "\n";
+            exactly(std::log10(*c.nanoseconds)) + " " + exactly(height_of(c)) + " " + p.text(exactness_hover_text(c)) +
+            "\n";
     }
     placement places({left - 4, top, p.width() - 2.0, p.height() - bottom + 4.0}, occupied);
     std::vector<const candidate*> named; // of the formulas only what is right everywhere, and plain double

@@ -20,7 +20,7 @@ namespace {
 
 [[nodiscard]] double x_of(const candidate& c) { return std::log10(*c.nanoseconds); }
 
-[[nodiscard]] std::string hover_text(const candidate& c) {
+[[nodiscard]] std::string speed_hover_text(const candidate& c) {
     std::ostringstream s;
     s << c.name() << ": " << readable_time(*c.nanoseconds) << ", ";
     if (std::isinf(c.fewest_bits)) {
@@ -241,7 +241,7 @@ void speed_plot::marks() {
     for (const auto& c : points_) {
         const int marker = marker_of(c.variant) - (c.decides_right() ? 0 : 1);
         alike[{c.on_front || is_plain(c), marker, colour_of(c)}] +=
-            exactly(x_of(c)) + " " + exactly(axis_.height(c)) + " " + p_.text(hover_text(c)) + "\n";
+            exactly(x_of(c)) + " " + exactly(axis_.height(c)) + " " + p_.text(speed_hover_text(c)) + "\n";
     }
     for (const auto& [style, rows] : alike) {
         const auto& [large, marker, role] = style;

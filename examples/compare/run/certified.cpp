@@ -1,5 +1,6 @@
 #include "certified.hpp"
 
+#include "../exact_access.hpp"
 #include "../types/gmp_exact.hpp"
 
 #include <algorithm>
@@ -39,7 +40,9 @@ bool is_narrow(const mpfi_interval& x, long bits) {
 
 } // namespace
 
-certified::certified(const exact& x, long bits) : bits_(bits) { set_rational(rational_.get_mpq_t(), x); }
+certified::certified(const exact& x, long bits) : bits_(bits) {
+    set_rational(rational_.get_mpq_t(), exact_access::view(x));
+}
 
 certified::certified(mpq_class rational, shared unknown, long bits)
     : rational_(std::move(rational)), unknown_(std::move(unknown)), bits_(bits) {

@@ -1,5 +1,6 @@
 #include "sequence.hpp"
 
+#include "../exact_access.hpp"
 #include "../types/gmp_exact.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 wide wide_of_interval(const certified& x) {
     if (x.is_rational()) {
-        return to_wide(rational_of(x.rational().get_mpq_t()));
+        return to_wide(exact_of(fraction_of(x.rational().get_mpq_t())));
     }
     mpfr_t middle;
     const mpfi_interval around = x.around(wide_digits + 64);
@@ -23,7 +24,7 @@ wide wide_of_interval(const certified& x) {
         mpz_t significand;
         mpz_init(significand);
         const mpfr_exp_t exponent = mpfr_get_z_2exp(significand, middle);
-        result = ldexp(wide(integer_of(significand)), exponent);
+        result = ldexp(wide(integer_of(whole_of(significand))), exponent);
         mpz_clear(significand);
     }
     mpfr_clear(middle);

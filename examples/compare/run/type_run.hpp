@@ -4,6 +4,8 @@
 #include "runnable.hpp"
 #include "scene_in.hpp"
 
+#include "../answer_reader.hpp"
+#include "../exact_access.hpp"
 #include "../reader.hpp"
 #include "../stopwatch.hpp"
 
@@ -23,8 +25,11 @@ template <class T>
 
 template <class T>
 [[nodiscard]] std::optional<wide> wide_or_nothing(const T& x) {
-    const computed value = reader<T>::read(x, true_value());
-    const auto* number = std::get_if<wide>(&value.value());
+    const exact none = 0;
+    const exact_view nothing = exact_access::view(none);
+    computed_sink told;
+    reader<T>::read(x, {{nothing, nothing, nothing}, told});
+    const auto* number = std::get_if<wide>(&told.value().value());
     return number != nullptr ? std::optional<wide>(*number) : std::nullopt;
 }
 

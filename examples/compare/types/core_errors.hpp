@@ -1,4 +1,5 @@
-// Included before anything else where CGAL is used (see CMakeLists.txt): errors of CORE's become exceptions.
+// Included before anything else where CGAL is used (first of its precompiled headers, see CMakeLists.txt): errors of
+// CORE's become exceptions.
 //
 // CORE::core_error writes a file Core_Diagnostics into the current directory and, of an error, ends the program. Real
 // input leads there: the sign of a sum in which a quotient is small (below 2^-60 or so) divides by an approximation

@@ -1,5 +1,4 @@
 #include "../measure.hpp"
-#include "../rounding.hpp"
 #include "gmp_exact.hpp"
 #include "types.hpp"
 
@@ -11,41 +10,42 @@ namespace compare {
 
 namespace {
 
-CORE::Expr expression_of(const exact& x) {
+CORE::Expr expression_of(const exact_view& x) {
     CORE::BigRat rational;
     set_rational(rational.get_mp(), x);
     return CORE::Expr(rational);
 }
 
-CORE::Expr expression_of(const exact_real& x) {
-    return expression_of(x.p()) + expression_of(x.q()) * CORE::sqrt(expression_of(x.d()));
+CORE::Expr expression_of(const due_number& x) {
+    return expression_of(x.p) + expression_of(x.q) * CORE::sqrt(expression_of(x.d));
 }
 
 // A binary number within 2^-400 of x, relatively.
-wide approximation_of(const CORE::Expr& x) {
+binary_number approximation_of(const CORE::Expr& x) {
     const CORE::BigFloat value = x.approx(400, CORE::extLong::getPosInfty()).BigFloatValue();
     CORE::BigInt significand = value.m();
-    return ldexp(wide(integer_of(significand.get_mp())), value.exp() * 30); // CORE::BigFloat counts in 2^30
+    return {whole_of(significand.get_mp()), value.exp() * 30}; // CORE::BigFloat counts in 2^30
 }
 
 } // namespace
 
 template <>
 struct converter<CORE::Expr> {
-    [[nodiscard]] static CORE::Expr from(const exact& x) { return expression_of(x); }
+    [[nodiscard]] static CORE::Expr from(const exact_view& x) { return expression_of(x); }
 };
 
 template <>
 struct reader<CORE::Expr> {
     // No value where CORE gives none but an error (see core_errors.hpp).
-    [[nodiscard]] static computed read(const CORE::Expr& x, const true_value& right) {
+    static void read(const CORE::Expr& x, const request& asked) {
         try {
-            if (x == expression_of(right.exactly())) {
-                return exactly_right{};
+            if (x == expression_of(asked.due)) {
+                asked.to.exactly_right();
+            } else {
+                asked.to.number(approximation_of(x));
             }
-            return approximation_of(x);
         } catch (const std::runtime_error&) {
-            return not_finite{};
+            asked.to.not_finite();
         }
     }
     static void settle(const CORE::Expr& x) { static_cast<void>(x.doubleValue()); }

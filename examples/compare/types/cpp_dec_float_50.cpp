@@ -1,6 +1,8 @@
 #include "../measure.hpp"
 #include "types.hpp"
 
+#include <graze/number/adapter/boost.hpp>
+
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include <string>
@@ -10,29 +12,20 @@ namespace compare {
 using cpp_dec_float_50 =
     boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
-namespace {
-
-wide power_of_ten(unsigned long exponent) {
-    return wide(boost::multiprecision::pow(exact_integer(10), static_cast<unsigned>(exponent)));
-}
-
-} // namespace
-
 // Good to more than the 50 digits, of which it holds about 80; a decimal quotient is not correctly rounded.
 template <>
 struct converter<cpp_dec_float_50> {
-    [[nodiscard]] static cpp_dec_float_50 from(const exact& x) {
-        return cpp_dec_float_50(exact_integer(numerator(x)).str()) /
-               cpp_dec_float_50(exact_integer(denominator(x)).str());
+    [[nodiscard]] static cpp_dec_float_50 from(const exact_view& x) {
+        return cpp_dec_float_50(x.numerator_in_decimal()) / cpp_dec_float_50(x.denominator_in_decimal());
     }
 };
 
 template <>
 struct reader<cpp_dec_float_50> {
-    // All digits that it holds, more than 50, as text; then an integer times or over a power of ten, rounded once.
-    [[nodiscard]] static computed read(const cpp_dec_float_50& x, const true_value&) {
+    // All digits that it holds, more than 50, as text.
+    static void read(const cpp_dec_float_50& x, const request& asked) {
         if (!isfinite(x)) {
-            return not_finite{};
+            return asked.to.not_finite();
         }
         std::string text = x.str(1000, std::ios::scientific);
         const auto letter = text.find('e');
@@ -45,18 +38,19 @@ struct reader<cpp_dec_float_50> {
         const bool negative = text.front() == '-';
         const auto first = text.find_first_not_of("-0");
         if (first == std::string::npos) {
-            return wide(0);
+            return asked.to.number({});
         }
-        const wide digits(exact_integer(text.substr(first)));
-        const auto places = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent);
-        const wide size = exponent < 0 ? wide(digits / power_of_ten(places)) : wide(digits * power_of_ten(places));
-        return negative ? wide(-size) : size;
+        asked.to.decimal(negative, text.substr(first), exponent);
     }
 };
 
 namespace types {
 
-measurable of_cpp_dec_float_50() { return measurable_type<cpp_dec_float_50>("Boost", false, "decimal"); }
+measurable of_cpp_dec_float_50() {
+    measurable result = measurable_type<cpp_dec_float_50>("Boost", false, "decimal");
+    result.takes_long = true;
+    return result;
+}
 
 } // namespace types
 } // namespace compare

@@ -5,22 +5,27 @@
 
 #include <graze/number/adapter/qd.hpp>
 
+#include <cmath>
+
 namespace compare {
 
 // The nearest double, and the nearest to what is left.
 template <>
 struct converter<dd_real> {
-    [[nodiscard]] static dd_real from(const exact& x) {
-        const double high = nearest_double(x);
-        return std::isfinite(high) ? dd_real(high, nearest_double(exact(x - exact_of(high)))) : dd_real(high);
+    [[nodiscard]] static dd_real from(const exact_view& x) {
+        const double high = x.nearest();
+        return std::isfinite(high) ? dd_real(high, x.nearest_to_rest(high)) : dd_real(high);
     }
 };
 
 template <>
 struct reader<dd_real> {
-    [[nodiscard]] static computed read(const dd_real& x, const true_value&) {
-        const bool finite = std::isfinite(x.x[0]) && std::isfinite(x.x[1]);
-        return finite ? computed(wide(wide_of(x.x[0]) + wide_of(x.x[1]))) : computed(not_finite{});
+    static void read(const dd_real& x, const request& asked) {
+        if (std::isfinite(x.x[0]) && std::isfinite(x.x[1])) {
+            asked.to.sum(taken_apart(x.x[0]), taken_apart(x.x[1]));
+        } else {
+            asked.to.not_finite();
+        }
     }
 };
 

@@ -1,6 +1,5 @@
 #include "../../fixed_point.hpp"
 #include "../measure.hpp"
-#include "../rounding.hpp"
 #include "types.hpp"
 
 #include <stdexcept>
@@ -10,20 +9,29 @@ namespace compare {
 // The nearest multiple of 2^-32, ties away from zero.
 template <>
 struct converter<fixed_point> {
-    [[nodiscard]] static fixed_point from(const exact& x) {
-        const exact_integer twice_above = numerator(x) * (exact_integer(1) << 33U), below = denominator(x);
-        const exact_integer raw = (abs(twice_above) + below) / (below * 2);
-        if (raw > std::numeric_limits<std::int64_t>::max()) {
+    [[nodiscard]] static fixed_point from(const exact_view& x) {
+        const whole_number units = x.in_units(32);
+        std::uint64_t magnitude = 0;
+        for (const std::uint32_t digit : units.digits) {
+            magnitude = magnitude << 32U | digit;
+        }
+        if (units.digits.size() > 2 || magnitude >> 63U != 0) {
             throw std::overflow_error("beyond 2^31");
         }
-        const auto magnitude = static_cast<std::int64_t>(raw);
-        return fixed_point::from_raw(x.sign() < 0 ? -magnitude : magnitude);
+        const auto raw = static_cast<std::int64_t>(magnitude);
+        return fixed_point::from_raw(units.negative ? -raw : raw);
     }
 };
 
 template <>
 struct reader<fixed_point> {
-    [[nodiscard]] static computed read(fixed_point x, const true_value&) { return wide(ldexp(wide(x.raw()), -32)); }
+    static void read(fixed_point x, const request& asked) {
+        const bool negative = x.raw() < 0;
+        const auto bits = static_cast<std::uint64_t>(x.raw());
+        const std::uint64_t magnitude = negative ? 0 - bits : bits;
+        asked.to.number(
+            {{negative, {static_cast<std::uint32_t>(magnitude >> 32U), static_cast<std::uint32_t>(magnitude)}}, -32});
+    }
 };
 
 namespace types {

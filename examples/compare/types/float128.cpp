@@ -1,7 +1,7 @@
-#include "float128.hpp"
-
 #include "../measure.hpp"
 #include "types.hpp"
+
+#include <graze/number/adapter/float128.hpp>
 
 namespace compare::types {
 

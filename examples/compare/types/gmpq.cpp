@@ -10,7 +10,7 @@ namespace compare {
 
 template <>
 struct converter<CGAL::Gmpq> {
-    [[nodiscard]] static CGAL::Gmpq from(const exact& x) {
+    [[nodiscard]] static CGAL::Gmpq from(const exact_view& x) {
         mpq_class result;
         set_rational(result.get_mpq_t(), x);
         return CGAL::Gmpq(result.get_mpq_t());
@@ -19,7 +19,7 @@ struct converter<CGAL::Gmpq> {
 
 template <>
 struct reader<CGAL::Gmpq> : exact_reader<CGAL::Gmpq> {
-    [[nodiscard]] static exact value_of(const CGAL::Gmpq& x) { return rational_of(x.mpq()); }
+    [[nodiscard]] static fraction parts_of(const CGAL::Gmpq& x) { return fraction_of(x.mpq()); }
 };
 
 namespace types {

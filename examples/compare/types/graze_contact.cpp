@@ -24,39 +24,39 @@ class contact_sink {
 template <int N, class T>
 class reading_sink final : public contact_sink<N, T> {
   public:
-    reading_sink(answer& given, const truth& right) : given_(given), right_(right) {}
+    explicit reading_sink(answer_sink& to) : to_(to) {}
     void take(const graze::contact<N, T>& c) override {
-        given_.time = reader<T>::read(c.time, right_.time);
-        read_vector(given_.positions, c.position_a, right_.positions);
-        read_vector(given_.positions, c.position_b, right_.positions);
-        read_vector(given_.velocities, c.velocity_a, right_.velocities);
-        read_vector(given_.velocities, c.velocity_b, right_.velocities);
+        reader<T>::read(c.time, to_.time());
+        read_position(c.position_a, to_);
+        read_position(c.position_b, to_);
+        read_velocity(c.velocity_a, to_);
+        read_velocity(c.velocity_b, to_);
     }
     void take(const graze::wall_contact<N, T>& c) override {
-        given_.time = reader<T>::read(c.time, right_.time);
-        read_vector(given_.positions, c.position, right_.positions);
-        read_vector(given_.velocities, c.velocity, right_.velocities);
+        reader<T>::read(c.time, to_.time());
+        read_position(c.position, to_);
+        read_velocity(c.velocity, to_);
     }
 
   private:
-    answer& given_;
-    const truth& right_;
+    answer_sink& to_;
 };
 
 template <class T>
-[[nodiscard]] T mass_of(const exact& inverse) {
-    return inverse == 0 ? std::numeric_limits<T>::infinity() : convert<T>(exact(1 / inverse));
+[[nodiscard]] T mass_of(const exact_view& inverse) {
+    return inverse.is_zero() ? std::numeric_limits<T>::infinity()
+                             : value_of<T>(inverse.inverse_rounded(format_of<T>()));
 }
 
 template <int N, class T>
 class contact_solver final : public solver {
   public:
-    explicit contact_solver(const std::vector<problem<N>>& problems) {
-        for (const problem<N>& pair : problems) {
-            inputs_.push_back(convert_pair<T>(pair));
+    explicit contact_solver(const pair_list& list) {
+        for (const pair_numbers& pair : list.pairs) {
+            inputs_.push_back(convert_pair<T, N>(pair));
             if (pair.kind == pair_kind::ball_ball) {
-                inputs_.back().a.mass = mass_of<T>(pair.a.inverse_mass);
-                inputs_.back().b.mass = mass_of<T>(pair.b.inverse_mass);
+                inputs_.back().a.mass = mass_of<T>(pair.numbers[2 * N + 1]);
+                inputs_.back().b.mass = mass_of<T>(pair.numbers[4 * N + 3]);
             }
         }
     }
@@ -74,18 +74,16 @@ class contact_solver final : public solver {
         }
     }
 
-    [[nodiscard]] answer answer_to(std::size_t, std::size_t pair, const truth& right) override {
-        answer given;
+    outcome answer_to(std::size_t, std::size_t pair, answer_sink& to) override {
         try {
-            decide(inputs_[pair], given);
-            reading_sink<N, T> sink(given, right);
-            if (same_decision(given, right)) {
+            if (decide(inputs_[pair], to)) {
+                reading_sink<N, T> sink(to);
                 collide(inputs_[pair], sink);
             }
         } catch (const std::domain_error&) {
-            given.how = outcome::failed;
+            return outcome::failed;
         }
-        return given;
+        return outcome::answered;
     }
 
   private:
@@ -108,22 +106,18 @@ class contact_solver final : public solver {
         }
     }
 
-    // The decisions that a contact does not contain: the encounter, and which edge or corner.
-    static void decide(const input<N, T>& pair, answer& given) {
+    // What a contact does not tell: which encounter it is, and which edge or corner.
+    static bool decide(const input<N, T>& pair, answer_sink& to) {
         switch (pair.kind) {
         case pair_kind::ball_ball:
-            given.what = graze::classify(pair.a, pair.b);
-            break;
+            return to.decided(graze::classify(pair.a, pair.b));
         case pair_kind::ball_plane:
-            given.what = graze::classify(pair.a, pair.plane);
-            break;
+            return to.decided(graze::classify(pair.a, pair.plane));
         case pair_kind::ball_wall:
-            const graze::wall_encounter met = graze::detail::decide_wall(pair.a, pair.wall, graze::ignore_stage{});
-            given.what = met.what;
-            given.where = met.where;
-            given.index = met.index;
             break;
         }
+        const graze::wall_encounter met = graze::detail::decide_wall(pair.a, pair.wall, graze::ignore_stage{});
+        return to.decided(met.what, met.where, met.index);
     }
 
     std::vector<input<N, T>> inputs_;
@@ -135,11 +129,11 @@ class contact_solver final : public solver {
 measurable of_graze() {
     measurable m = measurable_type<double>("graze", false, "graze::collide: decisions exact, numbers rounded once");
     m.information.name = "graze";
-    m.prepare = [](const group& pairs) -> std::unique_ptr<solver> {
-        if (const auto* plane = std::get_if<group_pairs<2>>(&pairs.pairs)) {
-            return std::make_unique<contact_solver<2, double>>(plane->problems);
+    m.prepare = [](const pair_list& list) -> std::unique_ptr<solver> {
+        if (list.dimension == 2) {
+            return std::make_unique<contact_solver<2, double>>(list);
         }
-        return std::make_unique<contact_solver<3, double>>(std::get<group_pairs<3>>(pairs.pairs).problems);
+        return std::make_unique<contact_solver<3, double>>(list);
     };
     return m;
 }

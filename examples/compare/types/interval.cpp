@@ -1,8 +1,9 @@
 #include "../measure.hpp"
-#include "../rounding.hpp"
 #include "types.hpp"
 
 #include <graze/number/adapter/cgal.hpp>
+
+#include <cmath>
 
 namespace compare {
 
@@ -10,15 +11,18 @@ using interval_number = CGAL::Interval_nt<true>;
 
 template <>
 struct converter<interval_number> {
-    [[nodiscard]] static interval_number from(const exact& x) { return {double_below(x), double_above(x)}; }
+    [[nodiscard]] static interval_number from(const exact_view& x) { return {x.below(), x.above()}; }
 };
 
 template <>
 struct reader<interval_number> {
     using undecided = CGAL::Uncertain_conversion_exception;
-    [[nodiscard]] static computed read(const interval_number& x, const true_value&) {
-        const bool finite = std::isfinite(x.inf()) && std::isfinite(x.sup());
-        return finite ? computed(interval{wide_of(x.inf()), wide_of(x.sup())}) : computed(not_finite{});
+    static void read(const interval_number& x, const request& asked) {
+        if (std::isfinite(x.inf()) && std::isfinite(x.sup())) {
+            asked.to.interval(taken_apart(x.inf()), taken_apart(x.sup()));
+        } else {
+            asked.to.not_finite();
+        }
     }
 };
 

@@ -12,7 +12,7 @@ using lazy_exact = CGAL::Lazy_exact_nt<CGAL::Exact_rational>;
 
 template <>
 struct converter<lazy_exact> {
-    [[nodiscard]] static lazy_exact from(const exact& x) {
+    [[nodiscard]] static lazy_exact from(const exact_view& x) {
         CGAL::Exact_rational result;
         set_rational(result.backend().data(), x);
         return lazy_exact(result);
@@ -21,7 +21,7 @@ struct converter<lazy_exact> {
 
 template <>
 struct reader<lazy_exact> : exact_reader<lazy_exact> {
-    [[nodiscard]] static exact value_of(const lazy_exact& x) { return rational_of(x.exact().backend().data()); }
+    [[nodiscard]] static fraction parts_of(const lazy_exact& x) { return fraction_of(x.exact().backend().data()); }
     static void settle(const lazy_exact& x) { static_cast<void>(CGAL::to_double(x)); }
 };
 

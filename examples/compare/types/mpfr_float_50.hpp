@@ -1,4 +1,4 @@
-// Boost's MPFR numbers: conversion from and to exact values.
+// Boost's MPFR numbers: conversion from exact values.
 #pragma once
 
 #include "../reader.hpp"
@@ -13,7 +13,7 @@ using mpfr_float_50 =
 
 template <>
 struct converter<mpfr_float_50> {
-    [[nodiscard]] static mpfr_float_50 from(const exact& x) {
+    [[nodiscard]] static mpfr_float_50 from(const exact_view& x) {
         mpq_t rational;
         mpq_init(rational);
         set_rational(rational, x);
@@ -26,20 +26,19 @@ struct converter<mpfr_float_50> {
 
 template <>
 struct reader<mpfr_float_50> {
-    [[nodiscard]] static computed read(const mpfr_float_50& x, const true_value&) {
+    static void read(const mpfr_float_50& x, const request& asked) {
         const mpfr_srcptr value = x.backend().data();
         if (mpfr_number_p(value) == 0) {
-            return not_finite{};
+            return asked.to.not_finite();
         }
         if (mpfr_zero_p(value) != 0) {
-            return wide(0);
+            return asked.to.number({});
         }
         mpz_t significand;
         mpz_init(significand);
         const mpfr_exp_t exponent = mpfr_get_z_2exp(significand, value);
-        const wide result = ldexp(wide(integer_of(significand)), exponent);
+        asked.to.number({whole_of(significand), exponent});
         mpz_clear(significand);
-        return result;
     }
 };
 

@@ -8,7 +8,7 @@ namespace compare {
 
 template <>
 struct converter<graze::gmp_rational> {
-    [[nodiscard]] static graze::gmp_rational from(const exact& x) {
+    [[nodiscard]] static graze::gmp_rational from(const exact_view& x) {
         mpq_class result;
         set_rational(result.get_mpq_t(), x);
         return graze::gmp_rational(std::move(result));
@@ -17,7 +17,7 @@ struct converter<graze::gmp_rational> {
 
 template <>
 struct reader<graze::gmp_rational> : exact_reader<graze::gmp_rational> {
-    [[nodiscard]] static exact value_of(const graze::gmp_rational& x) { return rational_of(x.value().get_mpq_t()); }
+    [[nodiscard]] static fraction parts_of(const graze::gmp_rational& x) { return fraction_of(x.value().get_mpq_t()); }
 };
 
 namespace types {

@@ -2,6 +2,8 @@
 #include "gmp_exact.hpp"
 #include "types.hpp"
 
+#include <graze/number/adapter/boost.hpp>
+
 #include <boost/multiprecision/gmp.hpp>
 
 namespace compare {
@@ -10,7 +12,7 @@ using mpq_rational = boost::multiprecision::number<boost::multiprecision::gmp_ra
 
 template <>
 struct converter<mpq_rational> {
-    [[nodiscard]] static mpq_rational from(const exact& x) {
+    [[nodiscard]] static mpq_rational from(const exact_view& x) {
         mpq_rational result;
         set_rational(result.backend().data(), x);
         return result;
@@ -19,7 +21,7 @@ struct converter<mpq_rational> {
 
 template <>
 struct reader<mpq_rational> : exact_reader<mpq_rational> {
-    [[nodiscard]] static exact value_of(const mpq_rational& x) { return rational_of(x.backend().data()); }
+    [[nodiscard]] static fraction parts_of(const mpq_rational& x) { return fraction_of(x.backend().data()); }
 };
 
 namespace types {

@@ -1,7 +1,7 @@
 // The number types that are measured, one function and one source file each.
 #pragma once
 
-#include "../measurable.hpp"
+#include "../solver.hpp"
 
 namespace compare::types {
 

@@ -56,16 +56,14 @@ namespace compare {
 
 template <>
 struct converter<run::double_double> {
-    [[nodiscard]] static run::double_double from(const exact& x) {
+    [[nodiscard]] static run::double_double from(const exact_view& x) {
         return run::double_double(converter<dd_real>::from(x));
     }
 };
 
 template <>
 struct reader<run::double_double> {
-    [[nodiscard]] static computed read(const run::double_double& x, const true_value& right) {
-        return reader<dd_real>::read(x.value, right);
-    }
+    static void read(const run::double_double& x, const request& asked) { reader<dd_real>::read(x.value, asked); }
 };
 
 namespace run::types {

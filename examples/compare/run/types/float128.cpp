@@ -1,7 +1,6 @@
-#include "../../types/float128.hpp"
-
 #include "../type_run.hpp"
 
+#include <graze/number/adapter/float128.hpp>
 #include <graze/scene/plain_mechanics.hpp>
 
 namespace compare::run::types {
