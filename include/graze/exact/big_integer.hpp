@@ -183,6 +183,9 @@ class big_integer {
             const bool wide_x = terms[k].x->count_ > terms[k].y->count_;
             const big_integer& x = wide_x ? *terms[k].y : *terms[k].x;
             const big_integer& y = wide_x ? *terms[k].x : *terms[k].y;
+            if (x.count_ == 0) {
+                continue; // a zero stands nowhere
+            }
             const bool minus = (x.negative_ != y.negative_) != terms[k].subtracted;
             std::int64_t* row = sum + (x.low_ + y.low_ - low);
             for (int i = 0; i < x.count_; ++i, ++row) {
