@@ -1,5 +1,6 @@
 # cmake -D COMPILER=... -D INCLUDE=... -D SOURCE=... -P check.cmake: the source compiles when it is REPAIRED, and as it
 # stands it does not, for its own reason: the compiler says what matches the regular expression of its line `// expect:`.
+# Where it has a line `// errors:`, the compiler says that in so many errors and no more.
 cmake_policy(VERSION 3.25)
 set(ENV{LC_ALL} C)
 file(STRINGS "${SOURCE}" expected REGEX "^// expect: ")
@@ -15,4 +16,16 @@ if(result EQUAL 0)
 endif()
 if(expected STREQUAL "" OR NOT said MATCHES "${expected}")
     message(FATAL_ERROR "does not compile, but not for lack of what it should: nothing matches '${expected}' in\n${said}")
+endif()
+file(STRINGS "${SOURCE}" count REGEX "^// errors: ")
+if(count)
+    string(REGEX REPLACE "^// errors: " "" count "${count}")
+    string(REGEX MATCHALL "error: [^\n]*" errors "${said}")
+    set(apt "${errors}")
+    list(FILTER apt INCLUDE REGEX "${expected}")
+    list(LENGTH errors all)
+    list(LENGTH apt apt)
+    if(NOT all EQUAL count OR NOT apt EQUAL count)
+        message(FATAL_ERROR "${all} errors, of which ${apt} say '${expected}', where ${count} should:\n${said}")
+    endif()
 endif()

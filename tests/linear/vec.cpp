@@ -24,6 +24,12 @@ static_assert(cross(vec<3, double>{{1, 0, 0}}, vec<3, double>{{0, 1, 0}}) == vec
 static_assert(cross(vec<3, double>{{0, 1, 0}}, vec<3, double>{{0, 0, 1}}) == vec<3, double>{{1, 0, 0}});
 static_assert(cross(vec<3, double>{{0, 0, 1}}, vec<3, double>{{1, 0, 0}}) == vec<3, double>{{0, 1, 0}});
 static_assert(graze::squared_norm(vec<3, double>{{1, 2, 3}}) == 14 && graze::squared_norm(3.0) == 9);
+static_assert(vec<2, double>{{1, 2}}.x() == 1 && vec<2, double>{{1, 2}}.y() == 2 && vec<3, double>{{1, 2, 3}}.z() == 3);
+template <class V>
+concept has_z = requires(V x) {
+    x.z();
+};
+static_assert(has_z<vec<3, double>> && !has_z<vec<2, double>>);
 static_assert(graze::make_vec<3>([](int i) { return i * 1.0; }) == vec<3, double>{{0, 1, 2}});
 
 // Components of different types combine.

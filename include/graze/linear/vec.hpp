@@ -7,7 +7,8 @@
 
 namespace graze::inline v0_1 {
 
-// N components in Cartesian coordinates. An aggregate: vec<2, double>{1, 2}.
+// N Cartesian coordinates, in any consistent unit. An aggregate: vec<2, double>{1, 2}. v[i] can be written to; x(), y()
+// and, in space, z() read.
 template <int N, class T>
 struct vec {
     static_assert(N == 2 || N == 3, "graze::vec: N is 2 or 3");
@@ -15,6 +16,9 @@ struct vec {
 
     [[nodiscard]] constexpr T& operator[](int i) noexcept { return component[i]; }
     [[nodiscard]] constexpr const T& operator[](int i) const noexcept { return component[i]; }
+    [[nodiscard]] constexpr const T& x() const noexcept { return component[0]; }
+    [[nodiscard]] constexpr const T& y() const noexcept { return component[1]; }
+    [[nodiscard]] constexpr const T& z() const noexcept requires(N == 3) { return component[2]; }
 
     [[nodiscard]] friend constexpr bool operator==(const vec& x, const vec& y) {
         for (int i = 0; i < N; ++i) {

@@ -1,5 +1,5 @@
 // Numbers of Boost.Multiprecision, whatever their backend: cpp_bin_float, cpp_dec_float, cpp_int, cpp_rational, gmp_*.
-// Include the backend's own Boost header as well; for MPFR include number/mpfr.hpp instead.
+// Include the backend's own Boost header as well; for MPFR include number/adapter/mpfr.hpp instead.
 //
 // They are numbers with expression templates off only: boost::multiprecision::number<Backend, et_off>. With et_on a sum
 // is an expression that refers to its operands, so graze::number is not satisfied (sum_is_a_value says why).
