@@ -11,3 +11,11 @@
 #include <graze/predicate/compiled.hpp>
 #include <graze/time/compiled.hpp>
 #endif
+
+namespace graze::inline v0_1 {
+
+// Where no mechanics is named, a run is exact: graze::run run(scene).
+template <int N, class T>
+run(const scene<N, T>&) -> run<exact_mechanics<N, T>>;
+
+} // namespace graze::inline v0_1

@@ -7,6 +7,7 @@
 #include <graze/scene/shift.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -24,8 +25,11 @@ class junction {
     using direction = vec<N, X>;
 
     // Cones in canonical order, met by a point on its way in along `incoming`.
-    junction(std::vector<cone<N, X>> cones, const direction& incoming) : cones_(std::move(cones)), place_(-incoming) {
-        std::stable_partition(cones_.begin(), cones_.end(), [](const auto& c) { return !c.is_bordered(); });
+    junction(std::vector<cone<N, X>> cones, const direction& incoming) : place_(-incoming) {
+        for (const bool bordered : {false, true}) { // those that are met inside come first
+            std::copy_if(cones.begin(), cones.end(), std::back_inserter(cones_),
+                         [&](const auto& c) { return c.is_bordered() == bordered; });
+        }
     }
 
     [[nodiscard]] bool has(body standing) const noexcept { return find(standing) != cones_.end(); }

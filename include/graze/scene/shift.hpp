@@ -138,20 +138,21 @@ template <int N, class X>
 template <int N, class X>
 [[nodiscard]] std::optional<vec<N, X>> shift_into(const cone<N, X>& c, const std::vector<cone<N, X>>& all,
                                                   const vec<N, X>& u, const vec<N, X>& after) {
-    auto directions = directions_in<N, X>(c, all, u);
+    const auto directions = directions_in<N, X>(c, all, u);
     const auto leaves = [&](const vec<N, X>& d) {
         return std::all_of(all.begin(), all.end(), [&](const cone<N, X>& other) {
             return other.side != 0 ||
                    graze::sign(X(graze::dot(d, other.normal))) * graze::sign(X(graze::dot(after, other.normal))) >= 0;
         });
     };
-    std::stable_partition(directions.begin(), directions.end(), leaves);
     for (const bool beside : {false, true}) {
-        for (const vec<N, X>& d : directions) {
-            if (c.holds_inside(d) && std::all_of(all.begin(), all.end(), [&](const cone<N, X>& other) {
-                    return is_free(c, other, d, u, beside);
-                })) {
-                return d;
+        for (const bool leaving : {true, false}) {
+            for (const vec<N, X>& d : directions) {
+                if (c.holds_inside(d) && leaves(d) == leaving &&
+                    std::all_of(all.begin(), all.end(),
+                                [&](const cone<N, X>& other) { return is_free(c, other, d, u, beside); })) {
+                    return d;
+                }
             }
         }
     }
