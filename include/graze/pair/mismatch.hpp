@@ -15,22 +15,22 @@ namespace detail {
 
 // Names a shape's vectors, and so its dimension and number type.
 template <int N, class T>
-vec<N, T> vector_of(const ball<N, T>&);
+vec<N, T> vector_in(const ball<N, T>&);
 template <int N, class T>
-vec<N, T> vector_of(const flight<N, T>&);
+vec<N, T> vector_in(const flight<N, T>&);
 template <int N, class T>
-vec<N, T> vector_of(const plane<N, T>&);
+vec<N, T> vector_in(const plane<N, T>&);
 template <int N, class T>
-vec<N, T> vector_of(const wall<N, T>&);
+vec<N, T> vector_in(const wall<N, T>&);
 template <class T>
-vec<3, T> vector_of(const triangle<T>&);
+vec<3, T> vector_in(const triangle<T>&);
 
 template <class A, class B>
 concept mismatched = requires(const A& a, const B& b) {
-    vector_of(a);
-    vector_of(b);
+    vector_in(a);
+    vector_in(b);
 }
-&&!std::is_same_v<decltype(vector_of(std::declval<const A&>())), decltype(vector_of(std::declval<const B&>()))>;
+&&!std::is_same_v<decltype(vector_in(std::declval<const A&>())), decltype(vector_in(std::declval<const B&>()))>;
 
 } // namespace detail
 
