@@ -1,7 +1,9 @@
 # cmake -D NAME=... -D COMPILER=... -D FLAGS=... -D LEVEL=0|1|2 -D QUESTIONS=file -D WORK=directory -D ROOT=source-tree
-#   [-D EMULATOR=...] [-D PRELOAD=flags of a library to load first] [-D "CONTACTS=count most"] -P environment.cmake
+#   [-D EMULATOR=...] [-D PRELOAD=flags of a library to load first] [-D "CONTACTS=count most"] [-D SINGLE_HEADER=ON]
+#   -P environment.cmake
 # One environment: compiles the checker, if it is older than what it is made of, and lets it answer the questions; with
-# CONTACTS the one that compares hashes of contacts with those of the file. What is not there is reported as SKIPPED. The
+# CONTACTS the one that compares hashes of contacts with those of the file; with SINGLE_HEADER from the single header, under
+# the names of the headers that it has. What is not there is reported as SKIPPED. The
 # outcome is kept in WORK/NAME.result for the table.
 cmake_policy(VERSION 3.25)
 separate_arguments(FLAGS)
@@ -60,7 +62,20 @@ if(is_old)
     foreach(source IN LISTS names)
         list(APPEND sources "${here}/${source}.cpp")
     endforeach()
-    execute_process(COMMAND "${COMPILER}" -std=c++20 ${FLAGS} "-DGRAZE_ENVIRONMENT_LEVEL=${LEVEL}" "-I${ROOT}/include"
+    set(include "${ROOT}/include")
+    if(SINGLE_HEADER)
+        set(include "${WORK}/${NAME}.include")
+        file(REMOVE_RECURSE "${include}")
+        set(OUT "${include}/single.hpp")
+        set(DOORS graze batch)
+        include("${ROOT}/include/single_header.cmake")
+        file(STRINGS "${OUT}" headers REGEX "^// graze/[^ ]+\\.hpp$")
+        foreach(header IN LISTS headers)
+            string(SUBSTRING "${header}" 3 -1 header)
+            file(WRITE "${include}/${header}" "#include <single.hpp>\n")
+        endforeach()
+    endif()
+    execute_process(COMMAND "${COMPILER}" -std=c++20 ${FLAGS} "-DGRAZE_ENVIRONMENT_LEVEL=${LEVEL}" "-I${include}"
         ${sources} -o "${program}" COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endif()
 

@@ -21,16 +21,16 @@ template <class T, int Lanes, class Row>
     constexpr int chunk = 16 / static_cast<int>(sizeof(T));
     using lane = pack<T, Lanes>;
 #ifdef GRAZE_DETAIL_SHUFFLES
-    using part = pack<T, chunk>;
+    using chunk_pack = pack<T, chunk>;
     // Rows k and k + chunk side by side, where a register has room for both.
     const auto row = [&](int k) __attribute__((always_inline)) {
-        const auto low = part::load(row_at(k) + first).value;
+        const auto low = chunk_pack::load(row_at(k) + first).value;
         if constexpr (Lanes == chunk) {
             return low;
         } else if constexpr (chunk == 2) {
-            return __builtin_shufflevector(low, part::load(row_at(k + 2) + first).value, 0, 1, 2, 3);
+            return __builtin_shufflevector(low, chunk_pack::load(row_at(k + 2) + first).value, 0, 1, 2, 3);
         } else {
-            return __builtin_shufflevector(low, part::load(row_at(k + 4) + first).value, 0, 1, 2, 3, 4, 5, 6, 7);
+            return __builtin_shufflevector(low, chunk_pack::load(row_at(k + 4) + first).value, 0, 1, 2, 3, 4, 5, 6, 7);
         }
     };
     if constexpr (Lanes == 2 && chunk == 2) {
