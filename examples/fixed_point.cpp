@@ -9,8 +9,8 @@
 template <class T>
 static graze::ball_solution<2, T> shot(double distance, double offset, double speed) {
     const T zero(0), radius(0.028575), mass(1);
-    return graze::solve(graze::ball<2, T>{{{zero, zero}}, {{T(speed), zero}}, radius, mass},
-                        graze::ball<2, T>{{{T(distance), T(offset)}}, {{zero, zero}}, radius, mass});
+    return graze::solve(graze::ball<2, T>{{zero, zero}, {T(speed), zero}, radius, mass},
+                        graze::ball<2, T>{{T(distance), T(offset)}, {zero, zero}, radius, mass});
 }
 
 template <class T>

@@ -3,8 +3,8 @@
 #include <iostream>
 
 int main() {
-    const graze::ball<2> cue{{{0, 0}}, {{2.5, 0}}, 0.028575, 0.17}; // position, velocity, radius, mass
-    const graze::ball<2> eight{{{1.27, 0.02}}, {{0, 0}}, 0.028575, 0.17};
+    const graze::ball<2> cue{{0, 0}, {2.5, 0}, 0.028575, 0.17}; // position, velocity, radius, mass
+    const graze::ball<2> eight{{1.27, 0.02}, {0, 0}, 0.028575, 0.17};
     const auto s = graze::solve(cue, eight);
     std::cout << to_string(s.what) << " after " << s.time << " s\n"
               << "cue: " << s.velocity_a[0] << ", " << s.velocity_a[1] << " m/s\n"

@@ -33,9 +33,9 @@ int main() {
     tell<fine_table>("fine table");
 
     // Two balls of 57 mm that just touch in passing, in half millimetres: a graze, neither a hit nor a miss.
-    const graze::ball<2> cue{{{0, 0}}, {{512, 0}}, 57};
+    const graze::ball<2> cue{{0, 0}, {512, 0}, 57};
     for (const double aside : {113.0, 114.0, 115.0}) {
-        const graze::ball<2> eight{{{2540, aside}}, {{0, 0}}, 57};
+        const graze::ball<2> eight{{2540, aside}, {0, 0}, 57};
         std::cout << aside << " steps aside: " << to_string(graze::solve(cue, eight).what) << '\n';
     }
 }

@@ -8,9 +8,8 @@ namespace {
 
 // A light ball at rest between a wall, x = 0, and a heavy ball that moves towards it.
 std::uint64_t collisions(double mass_ratio) {
-    const std::vector<graze::ball<2>> balls = {{{{1, 0}}, {{0, 0}}, 0.125, 1},
-                                               {{{2, 0}}, {{-1, 0}}, 0.125, mass_ratio}};
-    const std::vector<graze::plane<2>> wall = {{{{0, 0}}, {{1, 0}}}};
+    const std::vector<graze::ball<2>> balls = {{{1, 0}, {0, 0}, 0.125, 1}, {{2, 0}, {-1, 0}, 0.125, mass_ratio}};
+    const std::vector<graze::plane<2>> wall = {{{0, 0}, {1, 0}}};
     const auto finished = run_exactly<2>({balls, wall, {}}, {});
     if (finished.outcome.why != graze::ending::exhausted) {
         throw std::runtime_error("the balls still meet");

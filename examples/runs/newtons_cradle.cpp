@@ -7,7 +7,7 @@
 int main() {
     std::vector<graze::ball<2>> balls;
     for (int i = 0; i < 5; ++i) {
-        balls.push_back({{{static_cast<double>(2 * i), 0}}, {{0, 0}}, 1, 1});
+        balls.push_back({{static_cast<double>(2 * i), 0}, {0, 0}, 1, 1});
     }
     balls[0].position[0] = -4; // a gap of 4 to the row
     balls[0].velocity[0] = 2;
