@@ -4,10 +4,10 @@
 #include "callers.hpp"
 #include "state.hpp"
 #include "subject.hpp"
+#include "text_file.hpp"
 
 #include <charconv>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -30,7 +30,7 @@ class question_file {
         for (const subject& s : subjects) {
             subjects_.emplace(s.name, &s);
         }
-        std::ifstream file(path);
+        std::istringstream file(text_of(path));
         std::size_t announced = 0, lines = 0;
         for (std::string line; std::getline(file, line);) {
             std::istringstream words(line);
@@ -190,6 +190,10 @@ int run(const char* path, bool must_start_flushing) {
             continue;
         }
         for (const rounding r : {rounding::nearest, rounding::upward, rounding::downward, rounding::towards_zero}) {
+            if (!can_round(r)) {
+                std::printf("this machine does not round %s\n", name_of(r));
+                continue;
+            }
             const std::string mode = std::string(name_of(r)) + (flush ? ", flushing" : "");
             if (!set_state(r, flush)) {
                 restore_state();

@@ -5,11 +5,11 @@
 // file.
 #include "contact_hash.hpp"
 #include "state.hpp"
+#include "text_file.hpp"
 
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -27,7 +27,7 @@ using hashes = std::map<std::string, std::uint64_t>;
 }
 
 [[nodiscard]] hashes read(const char* path) {
-    std::ifstream file(path);
+    std::istringstream file(text_of(path));
     hashes h;
     for (std::string line; std::getline(file, line);) {
         const std::size_t space = line.rfind(' ');
@@ -62,11 +62,12 @@ class checker {
     }
 
     void write(const char* path) const {
-        std::ofstream file(path);
+        const open_file file(std::fopen(path, "w"));
+        if (!file) {
+            throw std::runtime_error(std::string(path) + ": cannot be written");
+        }
         for (const auto& [name, hash] : found_) {
-            char digits[17];
-            std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-            file << name << ' ' << digits << '\n';
+            std::fprintf(file.get(), "%s %016llx\n", name.c_str(), static_cast<unsigned long long>(hash));
         }
     }
     [[nodiscard]] bool report() const {
@@ -101,6 +102,9 @@ int run(const char* path, std::uint64_t count, std::uint64_t most, std::string_v
             continue;
         }
         for (const rounding r : {rounding::nearest, rounding::upward, rounding::downward, rounding::towards_zero}) {
+            if (!can_round(r)) {
+                continue;
+            }
             const std::string mode = std::string(name_of(r)) + (flush ? ", flushing" : "");
             for (const hashed_subject& s : subjects) {
                 if (!set_state(r, flush)) {

@@ -61,8 +61,12 @@ bool can_flush() { return has_flush; }
 bool flushes() { return sum(0x1p-1050, 0x1p-1050) == 0; }
 
 bool set_state(rounding direction, bool flush) {
+#if defined(__wasm__)
+    constexpr int modes[] = {FE_TONEAREST};
+#else
     constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    if (std::fesetround(modes[static_cast<int>(direction)]) != 0) {
+#endif
+    if (!can_round(direction) || std::fesetround(modes[static_cast<int>(direction)]) != 0) {
         return false;
     }
     set_flush(flush);

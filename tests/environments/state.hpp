@@ -15,6 +15,16 @@ enum class rounding { nearest, upward, downward, towards_zero };
 // Whether the machine has a mode in which subnormal results and operands count as zero.
 [[nodiscard]] bool can_flush();
 
+// Whether the machine can be told to round in this direction. WebAssembly rounds to nearest, always.
+[[nodiscard]] constexpr bool can_round(rounding r) {
+#if defined(__wasm__)
+    constexpr bool others = false;
+#else
+    constexpr bool others = true;
+#endif
+    return others || r == rounding::nearest;
+}
+
 // Sets both. False if the machine then does not calculate accordingly.
 [[nodiscard]] bool set_state(rounding direction, bool flush);
 

@@ -1,0 +1,7 @@
+// node run.mjs program.wasm [argument]...: runs a WebAssembly program, which may read the files of this machine by their full names.
+import {readFile} from 'node:fs/promises';
+import {WASI} from 'node:wasi';
+
+const wasi = new WASI({version: 'preview1', args: process.argv.slice(2), preopens: {'/': '/'}});
+const program = await WebAssembly.compile(await readFile(process.argv[2]));
+process.exitCode = wasi.start(await WebAssembly.instantiate(program, wasi.getImportObject()));
