@@ -5,6 +5,11 @@ graze_add_test(compare_certified_run_test SOURCES certified_run_test.cpp LIBRARI
 target_compile_definitions(compare_certified_run_test PRIVATE "GRAZE_SCENES=\"${PROJECT_SOURCE_DIR}/examples/scenes\"")
 target_compile_options(compare_certified_run_test PRIVATE -O0) # what takes the time is compiled elsewhere
 graze_add_test(compare_certified_ties_test SOURCES certified_ties_test.cpp LIBRARIES compare_certified)
+if(TARGET graze_exact_runs AND TARGET graze_number_gmp)
+    graze_add_test(compare_certified_points_test SOURCES certified_points_test.cpp
+        LIBRARIES compare_certified graze_exact_runs graze_number_gmp)
+    target_compile_options(compare_certified_points_test PRIVATE -O0)
+endif()
 graze_add_test(compare_event_check_test SOURCES event_check_test.cpp LIBRARIES compare_certified)
 graze_add_test(compare_integer_line_test SOURCES integer_line_test.cpp LIBRARIES compare_certified rapidcheck)
 add_executable(compare_certified_soak certified_soak.cpp)

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 struct told_bounce {
     std::size_t wall;
@@ -35,18 +36,34 @@ template <int N>
     return std::ranges::all_of(x, [](const mpq_class& c) { return mpq_class(c.get_d()) == c; });
 }
 
-// Empty, or what is wrong with the run, as far as all its states are doubles. fineness: of the shifts in space.
+// Empty, or what is wrong with what a run of at most so many events told, as far as all its states are doubles.
+// fineness: of the shifts in space.
 template <int N>
-[[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, std::size_t most, std::size_t* compared,
-                                          int fineness) {
+[[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, const std::vector<told_bounce>& told,
+                                          std::size_t most, std::size_t* compared, int fineness) {
     using namespace point_oracle;
-    const auto told = bounces_of<N>(s, most);
     const walls_around<N> walls(s.walls);
     auto x = exactly(s.point[0].position), u = exactly(s.point[0].velocity);
     mpq_class now = 0;
     std::size_t next = 0; // of those told
     const auto is_told = [&](std::size_t wall) {
         return next < told.size() && told[next].wall == wall && told[next].time == now.get_d();
+    };
+    std::vector<std::pair<std::size_t, int>>
+        kept; // sides of the walls along which the point slides since its last event
+    const auto side_along = [&](std::size_t wall) {
+        int result = 0;
+        for (const auto& [other, side] : kept) {
+            result = result != 0 ? result : side * walls.common_sense(other, wall);
+        }
+        return sgn(dot<N>(u, walls[wall].normal)) == 0 ? result : 0;
+    };
+    const auto keep = [&](const std::vector<std::size_t>& touching, const auto& side_of) {
+        std::vector<std::pair<std::size_t, int>> now_kept;
+        for (std::size_t i = 0; i < touching.size(); ++i) {
+            now_kept.emplace_back(touching[i], side_of(i));
+        }
+        kept = std::move(now_kept);
     };
     while (next < most) {
         mpq_class when = 0;
@@ -64,7 +81,7 @@ template <int N>
         while (!here.empty() && !turned) {
             // The first that the point can come to, shifted into it, rather from the side of the others from which it
             // comes; what such shifts lead to.
-            std::vector<std::vector<std::size_t>> allowed;
+            std::vector<passage> allowed;
             std::optional<touch> met;
             for (const touch& h : here) {
                 if (h.graze) {
@@ -72,24 +89,27 @@ template <int N>
                     break;
                 }
                 // Best: it comes from the side of the others from which it did, and leaves what it slid along.
-                std::array<std::vector<std::vector<std::size_t>>, 4> by_rank;
+                std::array<std::vector<passage>, 4> by_rank;
                 for (const auto& shift : shifts_into<N>(walls[h.wall], x, fineness)) {
-                    auto sequence = walls.bounces(x, shift, u, touching, h.wall);
-                    if (sequence.empty() || sequence.front() != h.wall) {
+                    auto way = walls.bounces(x, shift, u, touching, h.wall);
+                    if (way.bounces.empty() || way.bounces.front() != h.wall) {
                         continue;
                     }
                     const auto after = walls[h.wall].reflected(u);
-                    bool leaves = true, on_side = true;
+                    bool leaves = true, on_side = true, kept_to = true;
                     for (const std::size_t other : touching) {
                         const auto& n = walls[other].normal;
-                        const int came = sgn(dot<N>(u, n)), side = sgn(dot<N>(shift, n));
+                        const int came = sgn(dot<N>(u, n)), side = sgn(dot<N>(shift, n)), known = side_along(other);
                         on_side = on_side && side * came <= 0;
-                        leaves = leaves && (came != 0 || side * sgn(dot<N>(after, n)) >= 0);
+                        leaves = leaves && (came != 0 || known != 0 || side * sgn(dot<N>(after, n)) >= 0);
+                        kept_to = kept_to && (known == 0 || side == known);
                     }
-                    by_rank[(on_side ? 0 : 2) + (leaves ? 0 : 1)].push_back(std::move(sequence));
+                    if (kept_to) {
+                        by_rank[(on_side ? 0 : 2) + (leaves ? 0 : 1)].push_back(std::move(way));
+                    }
                 }
-                for (const auto& sequences : by_rank) {
-                    allowed = allowed.empty() ? sequences : allowed;
+                for (const auto& ways : by_rank) {
+                    allowed = allowed.empty() ? ways : allowed;
                 }
                 if (!allowed.empty()) {
                     met = h;
@@ -97,7 +117,10 @@ template <int N>
                 }
             }
             if (!met) {
-                return "the oracle finds no first wall";
+                if (std::ranges::all_of(touching, [&](std::size_t wall) { return side_along(wall) == 0; })) {
+                    return "the oracle finds no first wall";
+                }
+                break; // all are on the other side of what it slides along
             }
             if (met->graze) {
                 if (next >= most) {
@@ -108,29 +131,30 @@ template <int N>
                 }
                 ++next;
                 std::erase_if(here, [&](const touch& h) { return h.wall == met->wall; });
+                keep(touching, [&](std::size_t i) { return side_along(touching[i]); });
                 continue;
             }
             turned = true;
-            const auto matches = [&](const std::vector<std::size_t>& sequence) {
-                for (std::size_t i = 0; i < sequence.size() && next + i < most; ++i) {
-                    if (next + i >= told.size() || told[next + i].wall != sequence[i] ||
+            const auto matches = [&](const passage& way) {
+                for (std::size_t i = 0; i < way.bounces.size() && next + i < most; ++i) {
+                    if (next + i >= told.size() || told[next + i].wall != way.bounces[i] ||
                         told[next + i].time != now.get_d()) {
                         return false;
                     }
                 }
-                const std::size_t end = next + sequence.size();
+                const std::size_t end = next + way.bounces.size();
                 return end >= told.size() || told[end].time != now.get_d();
             };
             const auto found = std::ranges::find_if(allowed, matches);
             if (found == allowed.end()) {
                 std::string text =
                     "otherwise at event " + std::to_string(next) + ", t = " + std::to_string(now.get_d()) + ", right:";
-                for (const std::size_t w : allowed.front()) {
+                for (const std::size_t w : allowed.front().bounces) {
                     text += " " + std::to_string(w);
                 }
                 return text;
             }
-            for (const std::size_t w : *found) {
+            for (const std::size_t w : found->bounces) {
                 u = walls[w].reflected(u);
                 if (next >= most) {
                     return "";
@@ -148,6 +172,12 @@ template <int N>
                     return "";
                 }
             }
+            for (const passage& way : allowed) {
+                if (way.bounces == found->bounces && way.side != found->side) {
+                    return ""; // either is right, and both go on differently
+                }
+            }
+            keep(touching, [&](std::size_t i) { return found->side[i]; });
         }
     }
     return "";
@@ -155,9 +185,14 @@ template <int N>
 
 // The same, with shifts so fine that no way between walls of a grid is missed, where that makes a difference.
 template <int N>
+[[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, const std::vector<told_bounce>& told,
+                                          std::size_t most, std::size_t* compared) {
+    const std::string fault = fault_by_oracle<N>(s, told, most, compared, 6);
+    return fault.empty() || N == 2 ? fault : fault_by_oracle<N>(s, told, most, nullptr, 400);
+}
+template <int N>
 [[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, std::size_t most, std::size_t* compared) {
-    const std::string fault = fault_by_oracle<N>(s, most, compared, 6);
-    return fault.empty() || N == 2 ? fault : fault_by_oracle<N>(s, most, nullptr, 400);
+    return fault_by_oracle<N>(s, bounces_of<N>(s, most), most, compared);
 }
 
 // The same by balls of radius 2^-24 that fly 2^-18 beside the point, as far as they meet the same.

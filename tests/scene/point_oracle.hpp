@@ -85,6 +85,13 @@ struct touch {
     bool on_border, graze;
 };
 
+// Off what a point bounces at a place, and on which side of the walls there it goes on; 0 where it comes away from
+// them.
+struct passage {
+    std::vector<std::size_t> bounces;
+    std::vector<int> side;
+};
+
 template <int N>
 class walls_around {
   public:
@@ -167,8 +174,9 @@ class walls_around {
     }
     // The walls off which a point bounces at `place`, to which it comes with u, if it is shifted by `shift`;
     // of two that are the same there, `first` is met. Nothing else is so near.
-    std::vector<std::size_t> bounces(const vector<N>& place, const vector<N>& shift, vector<N> u,
-                                     std::vector<std::size_t> here, std::size_t first) const {
+    passage bounces(const vector<N>& place, const vector<N>& shift, vector<N> u, const std::vector<std::size_t>& walls,
+                    std::size_t first) const {
+        std::vector<std::size_t> here = walls;
         std::ranges::stable_partition(here, [&](std::size_t wall) { return wall == first; });
         const mpq_class past(mpz_class(1), mpz_class(1) << 100);
         std::vector<std::size_t> result;
@@ -190,7 +198,19 @@ class walls_around {
             u = sides_[*next].reflected(u);
             result.push_back(*next);
         }
-        return result;
+        passage found{std::move(result), {}};
+        for (const std::size_t wall : walls) {
+            const bool beside = sgn(dot<N>(u, sides_[wall].normal)) == 0;
+            found.side.push_back(beside ? sgn(sides_[wall].height(x)) : 0);
+        }
+        return found;
+    }
+    // 1 or -1 where two walls are in one plane, as their normals have one sense or not.
+    int common_sense(std::size_t a, std::size_t b) const {
+        const mpq_class along = dot<N>(sides_[a].normal, sides_[b].normal);
+        const bool parallel =
+            along * along == dot<N>(sides_[a].normal, sides_[a].normal) * dot<N>(sides_[b].normal, sides_[b].normal);
+        return parallel && sides_[a].height(sides_[b].corner) == 0 ? sgn(along) : 0;
     }
 
   private:

@@ -38,14 +38,28 @@ template <int N>
         return d;
     };
     point_scene<N> scene;
-    const auto hub = any(2); // much is there
+    const auto hub = any(2);                                  // much is there
+    const int flat = N == 3 && one_in(3) ? between(0, 2) : N; // across this axis through the hub most is in one plane
+    const auto flattened = [&](graze::vec<N, double> x, double at) {
+        if (flat < N && !one_in(4)) {
+            x[flat] = at;
+        }
+        return x;
+    };
     const int count = between(2, 7);
     for (int i = 0; i < count; ++i) {
-        graze::wall<N> w{one_in(3) ? any(3) : hub, {}};
-        w.edge[0] = static_cast<double>(between(1, 2)) * direction();
+        graze::wall<N> w{one_in(3) ? flattened(any(3), flat < N ? hub[flat] : 0) : hub, {}};
+        const auto edge = [&] {
+            auto e = zero;
+            while (e == zero) {
+                e = flattened(static_cast<double>(between(1, 2)) * direction(), 0);
+            }
+            return e;
+        };
+        w.edge[0] = edge();
         if constexpr (N == 3) {
             do {
-                w.edge[1] = static_cast<double>(between(1, 2)) * direction();
+                w.edge[1] = edge();
             } while (graze::squared_norm(graze::cross(w.edge[0], w.edge[1])) == 0);
         }
         for (auto& e : w.edge) { // it starts there, ends there, or passes through
@@ -72,7 +86,7 @@ template <int N>
     }
     auto u = zero;
     while (u == zero) {
-        u = any(slanted ? 3 : 1);
+        u = one_in(3) ? flattened(any(slanted ? 3 : 1), 0) : any(slanted ? 3 : 1);
     }
     const auto aim = one_in(4) ? any(3) : hub;
     scene.point.push_back({aim - (0.5 * between(1, 8)) * u, u, 0, 1});

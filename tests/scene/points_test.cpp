@@ -1,5 +1,6 @@
 // A point among walls, in runs: against an oracle in rationals and against balls beside it; and what was once wrong.
 #include "point_checks.hpp"
+#include "sliding_scenes.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -63,6 +64,49 @@ TEST_CASE("a point bounces once at an outward tip, however sharp") {
                                    {{{{0, 0}}, {{{{length, 1}}}}}, {{{0, 0}}, {{{{length, lower}}}}}}};
             const auto told = bounces_of<2>(s, 1000); // one along the way is grazed
             CHECK(std::ranges::count_if(told, &told_bounce::turned) == 1);
+        }
+    }
+}
+
+TEST_CASE("a point that has come to slide above a floor stays above it") {
+    for (const point_scene<2>& s : sliding_scenes()) {
+        CHECK(fault_by_oracle<2>(s, 20, nullptr) == "");
+        CHECK(fault_by_oracle<3>(raised(s), 20, nullptr) == "");
+        auto told = bounces_of<2>(s, 20);
+        std::erase_if(told, [](const told_bounce& b) { return !b.turned; });
+        CHECK(told.front().wall == 0);
+        CHECK(told.front().velocity[1] == 0);
+        if (std::abs(s.walls[1].edge[0][1]) == 1) { // it hangs, and is not reached
+            CHECK(told.size() == 1);
+        } else { // down, up, and back as it came
+            REQUIRE(told.size() == 5);
+            CHECK(told[1].wall == 1);
+            CHECK(told[2].wall >= 2);
+            CHECK(told[3].wall == 1);
+            CHECK(told[4].wall == 0);
+            CHECK(told[4].velocity == graze::vec<3, double>{{0, 1, 0}});
+        }
+    }
+}
+
+// Off a slanted wall a point turns to go up the edge in which two walls meet, to a third across that edge.
+TEST_CASE("a point that slides along two walls stays in the corner between them") {
+    for (const double x : {1.0, -1.0}) {
+        for (const double y : {1.0, -1.0}) {
+            point_scene<3> s;
+            s.point.push_back({{{4, 2, -4}}, {{-2, -1, 2}}, 0, 1});
+            s.walls = {{{{-2, 2, 2}}, {{{{2, -4, 0}}, {{2, 0, -4}}}}}, // across (2, 1, 1)
+                       {{{0, 0, 0}}, {{{{8, 0, 0}}, {{0, 0, 8}}}}},
+                       {{{0, 0, 0}}, {{{{0, 8, 0}}, {{0, 0, 8}}}}},
+                       {{{-2, -2, 3 - 2 * x - 2 * y}}, {{{{4, 0, 4 * x}}, {{0, 4, 4 * y}}}}}}; // across (x, y, -1)
+            std::size_t compared = 0;
+            CHECK(fault_by_oracle<3>(s, 20, &compared) == "");
+            CHECK(compared >= 2);
+            const auto told = bounces_of<3>(s, 20);
+            REQUIRE(told.size() >= 2);
+            CHECK(told[0].velocity == graze::vec<3, double>{{0, 0, 3}});
+            CHECK(told.back().velocity[0] > 0);
+            CHECK(told.back().velocity[1] > 0);
         }
     }
 }

@@ -32,14 +32,14 @@ void judge(verdict v, const graze::meeting& who, const certified& from) {
     }
 }
 
-// Whether x, which is in the plane of the wall, is on the wall and not on its border; empty where that is open.
+// Of x, which is in the plane of the wall: 1 inside the wall, 0 on its border, -1 beside it; empty where that is open.
 template <int N>
-std::optional<bool> is_inside(const graze::plane<N, certified>&, const vector_of<N>&) {
-    return true;
+std::optional<int> place_in(const graze::plane<N, certified>&, const vector_of<N>&) {
+    return 1;
 }
 template <int N>
-std::optional<bool> is_inside(const graze::wall<N, certified>& w, const vector_of<N>& x) {
-    bool inside = true;
+std::optional<int> place_in(const graze::wall<N, certified>& w, const vector_of<N>& x) {
+    std::optional<int> least = 1;
     for (std::size_t i = 0; i < w.edge.size(); ++i) {
         const vector_of<N> from = x - w.corner, &e = w.edge[i];
         vector_of<N> across = e; // within the wall, across its other edge
@@ -48,12 +48,12 @@ std::optional<bool> is_inside(const graze::wall<N, certified>& w, const vector_o
         }
         const certified share = graze::dot(from, across) / graze::dot(e, across);
         const auto low = share.certain_sign(), high = (certified(1) - share).certain_sign();
-        if ((low && *low <= 0) || (high && *high <= 0)) {
-            return false;
+        if (low == -1 || high == -1) {
+            return -1;
         }
-        inside = inside && low && high;
+        least = least && low && high ? std::optional(std::min({*least, *low, *high})) : std::nullopt;
     }
-    return inside ? std::optional(true) : std::nullopt;
+    return least;
 }
 
 } // namespace
@@ -111,6 +111,16 @@ void event_check<N>::check_standing(int a, std::size_t b, const certified* t, bo
     judge(v, named(a, b), x.now.since);
 }
 
+// Whether a point slides along something, to one side of which it came.
+template <int N>
+bool event_check<N>::keeps_aside(const mover& x) const {
+    return std::any_of(x.sides.begin(), x.sides.end(), [&](const side& kept) {
+        return with_standing(kept.standing, [&](const auto& s) {
+            return graze::dot(x.now.state.velocity, normal_of<N>(s)).certain_sign() == 0;
+        });
+    });
+}
+
 // A point crosses a plane where its height, a linear function of time, changes its sign.
 template <int N>
 void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool meet) const {
@@ -133,11 +143,11 @@ void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool 
         if (first == 0 && then) {
             for (const side& kept : x.sides) { // it was at the plane at that instant, and goes on from there
                 if (kept.standing == b && kept.sign * *then < 0) {
-                    const std::optional<bool> inside = is_inside<N>(s, from);
-                    if (!inside) {
+                    const std::optional<int> place = place_in<N>(s, from);
+                    if (!place) {
                         leave_open(who, "whether it passes", x.now.since);
                     }
-                    if (*inside) {
+                    if (*place > 0) {
                         refute(who, "met, and it was not told", x.now.since);
                     }
                 }
@@ -147,8 +157,14 @@ void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool 
         if (first && then && *first * *then >= 0) {
             return 0;
         }
-        if (first && then && is_inside<N>(s, place_at<N>(x.now, x.now.since - before / speed)) == true) {
-            judge(verdict::crossed, who, x.now.since);
+        if (first && then) {
+            const std::optional<int> place = place_in<N>(s, place_at<N>(x.now, x.now.since - before / speed));
+            if (place == 1) {
+                judge(verdict::crossed, who, x.now.since);
+            }
+            if (place == 0 && keeps_aside(x)) { // what it slides along may stand between
+                return 0;
+            }
         }
         judge(sharpened([&](bool coarse) {
                   const flight& f = coarse ? x.coarse : x.now;
@@ -162,7 +178,7 @@ void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool 
 template <int N>
 void event_check<N>::note_sides(int a, const certified& t, const graze::meeting& who) {
     mover& x = movers_[static_cast<std::size_t>(a)];
-    const bool stands_still = (t - x.now.since).certain_sign() == 0; // then it comes from where it came before
+    const bool stands_still = (t - x.now.since).certain_sign() == 0;
     std::vector<side> sides;
     for (std::size_t b = 0; b < standing(); ++b) {
         if (who == named(a, b)) {
@@ -176,7 +192,8 @@ void event_check<N>::note_sides(int a, const certified& t, const graze::meeting&
                 const int from = height(x.now.since).value_or(0);
                 if (from != 0) {
                     sides.push_back({b, from});
-                } else if (stands_still) {
+                } else if (stands_still ||
+                           graze::dot(x.now.state.velocity, normal_of<N>(s)).certain_sign() == 0) { // as it came before
                     std::copy_if(x.sides.begin(), x.sides.end(), std::back_inserter(sides),
                                  [&](const side& kept) { return kept.standing == b; });
                 }

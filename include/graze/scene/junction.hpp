@@ -37,6 +37,12 @@ class junction {
     [[nodiscard]] body next() const noexcept { return next_; }
     [[nodiscard]] std::size_t size() const noexcept { return cones_.size(); }
 
+    // Whether the point, on its way in along u, does not reach one of them, for it slides on the other side of what
+    // stands between.
+    [[nodiscard]] bool is_beyond_reach(body standing, const direction& u) const {
+        return keeps_aside() && !is_reached(*find(standing), u);
+    }
+
     // The point has had another event than a bounce here: what it met last may be met again.
     void leave_none() noexcept { left_ = no_body; }
 
@@ -49,8 +55,8 @@ class junction {
         left_ = standing;
         next_ = no_body;
         if (is_through_apex(place_, u)) {
-            if (met->side == 0) { // a graze of the border, which changes nothing
-                met->slid_along = true;
+            if (met->way == approach::to_border) { // a graze, which changes nothing
+                met->way = approach::along;
                 head(after);
                 return;
             }
@@ -107,15 +113,23 @@ class junction {
     [[nodiscard]] body first_at_apex(const direction& u) const {
         const cone<N, X>* blocked = nullptr;
         for (const cone<N, X>& c : cones_) {
-            if (is_of(c, left_) || c.slid_along) {
+            if (is_of(c, left_) || c.way == approach::along) {
                 continue;
             }
-            if (c.side == 0 || shift_into(c, cones_, u, u)) {
+            if (is_reached(c, u)) {
                 return c.standing;
             }
             blocked = blocked != nullptr ? blocked : &c;
         }
-        return blocked != nullptr ? blocked->standing : no_body; // where X rounds
+        return blocked != nullptr && !keeps_aside() ? blocked->standing : no_body; // where X rounds
+    }
+    [[nodiscard]] bool is_reached(const cone<N, X>& c, const direction& u) const {
+        return c.way == approach::to_border || shift_into(c, cones_, u, u);
+    }
+    // Whether the point moves on a known side along something, beyond which it reaches nothing.
+    [[nodiscard]] bool keeps_aside() const noexcept {
+        return std::any_of(cones_.begin(), cones_.end(),
+                           [](const auto& c) { return c.way != approach::across && c.side != 0; });
     }
 
     // Where the line through place_ meets the plane of a cone, up to a positive factor.

@@ -28,6 +28,21 @@ class kept_sides {
     }
     void clear() noexcept { entries_.clear(); }
 
+    // f(standing, side) of each.
+    template <class F>
+    void for_each(F f) const {
+        for (const entry& e : entries_) {
+            f(e.standing, e.side);
+        }
+    }
+    // Forgets those of which keeps(standing, side) is false.
+    template <class F>
+    void keep_if(F keeps) {
+        entries_.erase(std::remove_if(entries_.begin(), entries_.end(),
+                                      [&](const entry& e) { return !keeps(e.standing, e.side); }),
+                       entries_.end());
+    }
+
   private:
     struct entry {
         body standing;

@@ -6,19 +6,24 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace graze::inline v0_1::detail {
 
+// How a point comes to a plane or wall: across its plane; in its plane, to its border, which it grazes; or along it all
+// the way, which is no event.
+enum class approach : std::uint8_t { across, to_border, along };
+
 // What stands, seen from one of its points: the directions y with y·normal = 0 and y·inward >= 0 for the borders on
-// which that point is. side: the sign of the side from which a moving point comes; 0 if it comes along the plane. Then
-// it grazes the border, or it is slid_along: has been on it all the way, which is no event.
+// which that point is. side: the sign of the side on which a moving point is; 0 if it is in the plane and no side is
+// known.
 template <int N, class X>
 struct cone {
     body standing;
     int side;
-    bool slid_along;
+    approach way;
     vec<N, X> normal;
     std::array<vec<N, X>, N - 1> inward{};
     int borders = 0;
@@ -128,8 +133,8 @@ template <int N, class X>
     if (other.side == 0 || side == other.side) {
         return true;
     }
-    const X speed = graze::dot(u, other.normal);
-    return beside && !other.holds(magnitude(speed) * d - magnitude(height) * u);
+    const X speed = graze::dot(u, other.normal); // 0 if it flies beside that plane for ever
+    return beside && graze::sign(speed) != 0 && !other.holds(magnitude(speed) * d - magnitude(height) * u);
 }
 
 // A shift from the apex to a place inside c, such that a way along u, which led to the apex, comes to c before all

@@ -86,6 +86,14 @@ class standing_parts {
     [[nodiscard]] bool is_in_plane(const M& m, body b, const place& x) const {
         return graze::sign(exact(graze::dot(x.sum - x.over * point_of(m, b), normal_of(m, b)))) == 0;
     }
+    // 1 or -1 where b and c are in one plane, as their normals have one sense or not; 0 in two planes.
+    [[nodiscard]] int common_sense(const M& m, body b, body c) const {
+        const auto n = normal_of(m, b), other = normal_of(m, c);
+        return graze::sign(exact(graze::squared_norm(graze::cross(n, other)))) == 0 &&
+                       is_in_plane(m, b, {point_of(m, c), exact(1)})
+                   ? graze::sign(exact(graze::dot(n, other)))
+                   : 0;
+    }
     // The place in a wall with the nearest coordinates along each edge.
     [[nodiscard]] place nearest(const M& m, body b, const place& x) const {
         const auto& w = walls_[b - first_ - planes_.size()];
@@ -103,9 +111,9 @@ class standing_parts {
         return result;
     }
     // b, seen from a place of its own; without one, as if that were anywhere inside.
-    [[nodiscard]] cone<dimension, exact> cone_at(const M& m, body b, int side, bool slid_along,
+    [[nodiscard]] cone<dimension, exact> cone_at(const M& m, body b, int side, approach way,
                                                  const std::optional<place>& x) const {
-        cone<dimension, exact> result{b, side, slid_along, normal_of(m, b), {}, 0};
+        cone<dimension, exact> result{b, side, way, normal_of(m, b), {}, 0};
         if (x) {
             const auto borders = borders_at(m, b, *x);
             for (std::size_t i = 0; i < borders.size(); ++i) {

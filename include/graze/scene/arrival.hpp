@@ -1,0 +1,84 @@
+// What planes and walls a point comes to at one time.
+#pragma once
+
+#include <graze/scene/junction.hpp>
+#include <graze/scene/standing.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// Whether x moves in the plane of anything.
+template <mechanics M>
+[[nodiscard]] bool slides(const M& m, const standing_parts<M>& standing, const typename M::state& x) {
+    for (body b = standing.begin(); b < standing.end(); ++b) {
+        if (standing.with(b, [&](const auto& s) { return m.heading(x, s) == 0 && m.side(x, s) == 0; })) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// All that x meets at exactly this time, and all along which it slides then. meet(b): when it meets b. side_along(b):
+// the side on which it keeps to b, in whose plane it moves; 0 if that is not known.
+template <mechanics M, class Meet, class Side>
+[[nodiscard]] junction<M::dimension, typename M::exact>
+arrival(const M& m, const standing_parts<M>& standing, const typename M::state& x, const typename M::time& when,
+        Meet meet, Side side_along) {
+    struct touched {
+        body what;
+        int side;
+        approach way;
+    };
+    std::vector<touched> all;
+    std::optional<typename standing_parts<M>::place> apex;
+    const double latest = m.bounds(when).upper;
+    for (body b = standing.begin(); b < standing.end(); ++b) {
+        const auto t = meet(b);
+        const int heading = standing.with(b, [&](const auto& s) { return m.heading(x, s); });
+        if (t && m.bounds(*t).lower <= latest && m.order(*t, when) == 0) {
+            if (heading == 0) {
+                all.push_back({b, side_along(b), approach::to_border});
+                continue;
+            }
+            all.push_back({b, -heading, approach::across});
+            if (!apex) {
+                apex = standing.crossing(m, b, x, x);
+            }
+        } else if (!t && heading == 0 && standing.with(b, [&](const auto& s) { return m.side(x, s) == 0; })) {
+            all.push_back({b, side_along(b), approach::along});
+        }
+    }
+    std::vector<cone<M::dimension, typename M::exact>> cones;
+    for (const touched& c : all) {
+        if (c.way != approach::along || (apex && standing.is_at(m, c.what, *apex))) {
+            cones.push_back(standing.cone_at(m, c.what, c.side, c.way, apex));
+        }
+    }
+    return {std::move(cones), standing.exactly(m, x.state.velocity)};
+}
+
+// A point that left b, but is rounded to beyond it and comes back beside it, has been as near to b's border as rounding
+// goes: what stands at that border. Empty if it comes back inside b. before: the point before it met b.
+template <mechanics M, class Side>
+[[nodiscard]] std::optional<junction<M::dimension, typename M::exact>>
+arrival_at_border(const M& m, const standing_parts<M>& standing, const typename M::state& before,
+                  const typename M::state& x, body b, Side side_along) {
+    const auto back = standing.crossing(m, b, x, x);
+    if (standing.is_inside(m, b, back)) {
+        return std::nullopt;
+    }
+    const auto border = standing.nearest(m, b, back);
+    std::vector<cone<M::dimension, typename M::exact>> cones;
+    for (body c = standing.begin(); c < standing.end(); ++c) {
+        if (standing.is_in_plane(m, c, border) && standing.is_at(m, c, border)) {
+            const int heading = standing.with(c, [&](const auto& s) { return m.heading(before, s); });
+            cones.push_back(heading != 0 ? standing.cone_at(m, c, -heading, approach::across, border)
+                                         : standing.cone_at(m, c, side_along(c), approach::along, border));
+        }
+    }
+    return junction<M::dimension, typename M::exact>(std::move(cones), standing.exactly(m, before.state.velocity));
+}
+
+} // namespace graze::inline v0_1::detail

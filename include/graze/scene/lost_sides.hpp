@@ -1,0 +1,42 @@
+// The sides of planes and walls on which a point belongs, where the rounding of its position has lost them.
+#pragma once
+
+#include <graze/scene/mechanics.hpp>
+#include <graze/scene/standing.hpp>
+
+namespace graze::inline v0_1::detail {
+
+// Whether x is on s or on the side on which it does not belong.
+template <mechanics M, class S>
+[[nodiscard]] bool is_beyond(const M& m, const typename M::state& x, const S& s, int side) {
+    return m.side(x, s) * side <= 0;
+}
+
+// The side of b on which a point belongs that was at `before`, on the kept side of b, and at that time has become x; 0
+// where it is on that side, or has come past b.
+template <mechanics M>
+[[nodiscard]] int side_lost(const M& m, const standing_parts<M>& standing, const typename M::state& before,
+                            const typename M::state& x, const typename M::time& when, body b, int kept) {
+    return standing.with(b, [&](const auto& s) {
+        const int heading = m.heading(before, s);
+        if constexpr (!M::rounds) { // it is where it was, if it has slid along b
+            return kept != 0 && heading == 0 && m.side(x, s) == 0 && standing.is_at(m, b, standing.crossing(m, b, x, x))
+                       ? kept
+                       : 0;
+        } else {
+            int side = kept != 0 ? kept : m.side(before, s);
+            side = side != 0 ? side : heading != 0 ? heading : m.heading(x, s); // where it slid along b
+            if (side == 0 || m.side(x, s) == side) {
+                return 0;
+            }
+            if (side * heading < 0 && !(kept != 0 && is_beyond(m, before, s, kept))) { // it was coming nearer
+                const int passed = m.order(when, m.reach(before, s));
+                side = passed > 0 ? -side : passed < 0 ? side : 0; // beside b, whose plane it may just have reached
+            }
+            return side != 0 && m.side(x, s) != side && standing.is_at(m, b, standing.crossing(m, b, x, before)) ? side
+                                                                                                                 : 0;
+        }
+    });
+}
+
+} // namespace graze::inline v0_1::detail
