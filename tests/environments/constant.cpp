@@ -14,11 +14,11 @@ using graze::plane;
 using graze::time_of_impact;
 using graze::wall;
 
-#ifndef REJECTED // how it is used
-
 // The same small scenes in every type: numbers are whole.
 template <class T>
 constexpr ball<2, T> still{{0, 0}, {0, 0}, 1};
+#ifndef REJECTED // how it is used
+
 template <class T>
 constexpr ball<2, T> past{{-4, 2}, {1, 0}, 1};
 template <class T>
@@ -68,23 +68,24 @@ static_assert(classify(ball<2>{{-0x4p-1074, 0x2p-1074}, {0x1p-1074, 0}, 0x1p-107
 static_assert(classify(ball<2>{{-0x4p1000, 0x2p1000}, {0x1p1000, 0}, 0x1p1000}, ball<2>{{0, 0}, {0, 0}, 0x1p1000}) ==
               encounter::graze);
 
-#else             // what must not compile
+#else // what must not compile, and does where REPAIRED
 
-constexpr double bad = REJECTED == 1   ? std::numeric_limits<double>::quiet_NaN()
-                       : REJECTED == 2 ? std::numeric_limits<double>::infinity()
-                                       : 0.0;
-constexpr double radius = REJECTED == 3 ? -1.0 : 1.0;
-constexpr ball<2> a{{-4, 0}, {1, bad}, 1};
-constexpr ball<2> b{{0, 0}, {0, 0}, radius};
-#if REJECTED <= 3 // 0 is nothing bad
-constexpr encounter what = classify(a, b);
-#elif REJECTED == 4
-constexpr encounter what = classify(a, plane<2>{{0, 0}, {0, 0}});
-#elif REJECTED == 5
-constexpr encounter what = classify(a, wall<2>{{0, 0}, {{{0, 0}}}});
-#elif REJECTED == 6
-constexpr encounter what = classify(ball<3>{{0, 0, 4}, {0, 0, -1}, 1}, wall<3>{{0, 0, 0}, {{{1, 2, 3}, {2, 4, 6}}}});
+#ifdef REPAIRED
+constexpr bool bad = false;
+#else
+constexpr bool bad = true;
 #endif
+constexpr ball<2> a{{-4, 0}, {1, 0}, 1};
+constexpr double nan = bad ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+constexpr double infinity = bad ? std::numeric_limits<double>::infinity() : 0.0;
+
+constexpr encounter of_nan = classify(ball<2>{{-4, 0}, {1, nan}, 1}, still<double>);
+constexpr encounter of_infinity = classify(ball<2>{{-4, 0}, {1, infinity}, 1}, still<double>);
+constexpr encounter of_a_radius = classify(a, ball<2>{{0, 0}, {0, 0}, bad ? -1.0 : 1.0});
+constexpr encounter of_a_normal = classify(a, plane<2>{{0, 0}, {0, bad ? 0.0 : 1.0}});
+constexpr encounter of_an_edge = classify(a, wall<2>{{0, 0}, {{{0, bad ? 0.0 : 1.0}}}});
+constexpr encounter of_edges =
+    classify(ball<3>{{0, 0, 4}, {0, 0, -1}, 1}, wall<3>{{0, 0, 0}, {{{1, 2, 3}, {2, 4, bad ? 6.0 : 7.0}}}});
 
 #endif
 
