@@ -1,11 +1,11 @@
-# cmake -D COMPILER=... -D INCLUDE=... -D SOURCE=... -P check.cmake: the source compiles when it is REPAIRED, and as it
+# cmake -D "COMMAND=compiler;flag;..." -D SOURCE=... -P check.cmake: the source compiles when it is REPAIRED, and as it
 # stands it does not, for its own reason: the compiler says what matches the regular expression of its line `// expect:`.
 # Where it has a line `// errors:`, the compiler says that in so many errors and no more.
 cmake_policy(VERSION 3.25)
 set(ENV{LC_ALL} C)
 file(STRINGS "${SOURCE}" expected REGEX "^// expect: ")
 string(REGEX REPLACE "^// expect: " "" expected "${expected}")
-set(command "${COMPILER}" -std=c++20 -fsyntax-only "-I${INCLUDE}")
+set(command ${COMMAND} -fsyntax-only)
 execute_process(COMMAND ${command} -DREPAIRED "${SOURCE}" RESULT_VARIABLE result ERROR_VARIABLE said)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "does not compile when repaired:\n${said}")

@@ -1,11 +1,12 @@
-// Whether all units of this program, each compiled with flags of its own, say the same of the same pairs.
+// Whether all units of this program, each compiled with flags of its own, say the same of the same pairs. UNITS is a list
+// of their functions, as they are called, and as they are declared.
 #include <cstdint>
 #include <cstdio>
 
-std::uint64_t plain(), plain_compiled(), fast(), fast_compiled(), native(), native_compiled();
+std::uint64_t UNITS;
 
 int main() {
-    const std::uint64_t hashes[] = {plain(), plain_compiled(), fast(), fast_compiled(), native(), native_compiled()};
+    const std::uint64_t hashes[] = {UNITS};
     int different = 0;
     for (const std::uint64_t hash : hashes) {
         std::printf("%016llx\n", static_cast<unsigned long long>(hash));
