@@ -1,0 +1,175 @@
+// node check.mjs index.html chromium directory [graze-compare]: uses the playground as a person would, on a desk and on a telephone, and compares the
+// decisions of its pair with integers of any length, in which nothing is rounded. Leaves pictures and the scene that it drew in
+// the directory; that scene must be one that graze-compare reads. Ends with 1 if anything was not as expected.
+import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
+import {mkdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {join, resolve} from 'node:path';
+import {Browser} from './browser.mjs';
+
+const [page, chromium, folder, reader] = process.argv.slice(2);
+const desk = {width: 1200, height: 900, dark: false};
+const telephone = {width: 390, height: 844, dark: true};
+const url = `file://${resolve(page)}`;
+mkdirSync(folder, {recursive: true});
+rmSync(join(folder, 'profile'), {recursive: true, force: true});
+assert.ok(statSync(page).size <= 1_500_000, 'the page has at most 1.5 MB');
+const browser = await Browser.open(chromium, join(folder, 'profile'));
+
+const text = selector => browser.evaluate(`document.querySelector(${JSON.stringify(selector)}).textContent`);
+const until = async (what, f) => {
+  for (let i = 0; i < 600; ++i) {
+    if (await f()) return;
+    await new Promise(go => setTimeout(go, 50));
+  }
+  assert.fail(`in vain: ${what}`);
+};
+const open = async (screen, fragment = '') => {
+  await browser.goTo(url + fragment, screen);
+  await until('the page is ready', () => browser.evaluate('document.body?.dataset.ready === "yes"'));
+};
+const click = selector => browser.evaluate(`document.querySelector(${JSON.stringify(selector)}).click()`);
+const shown = name => until(name, () => browser.evaluate(`document.body.dataset.shown === ${JSON.stringify(name)}`));
+const picture = async name => writeFileSync(join(folder, `${name}.png`), await browser.picture());
+
+// Nothing reaches out of the page, but for tables that scroll.
+async function fits(what) {
+  const out = await browser.evaluate(`[document.documentElement.scrollWidth > innerWidth ? 'the page scrolls sideways' : '',
+    ...[...document.querySelectorAll('body *')].filter(e => !e.closest('.scroll') && e.getBoundingClientRect().right > innerWidth + 0.5)
+    .map(e => e.id || e.className || e.tagName)].join(' ').trim()`);
+  assert.equal(out, '', `${what}: what reaches out of the page`);
+}
+
+// What becomes of two balls of the pair, the first one moved, in integers: all numbers are multiples of 2^-80.
+function decided([a, b], dx, dy) {
+  const scaled = x => BigInt(x * 2 ** 80);
+  const minus = (p, q) => p.map((x, i) => scaled(x) - scaled(q[i]));
+  const [x, y] = minus([a.position[0] + dx, a.position[1] + dy], b.position);
+  const [u, v] = minus(a.velocity, b.velocity);
+  const r = scaled(a.radius) + scaled(b.radius);
+  const h = x * u + y * v;
+  const c = x * x + y * y - r * r;
+  const d = h * h - (u * u + v * v) * c;
+  return h >= 0n ? 'recede' : c < 0n ? 'overlap' : d < 0n ? 'miss' : d === 0n ? 'graze' : 'hit';
+}
+
+async function checkPair(screen) {
+  await open(screen);
+  assert.equal(await browser.evaluate('document.body.dataset.shown'), 'a grazing pair');
+  const side = 64;
+  const step = 2 ** -50;
+  const found = await browser.evaluate(`(async () => {
+    const {Engine, encounters} = await import('playground/engine.mjs');
+    const {module} = await import('playground/graze_module.mjs');
+    const bytes = await new Response(new Blob([Uint8Array.from(atob(module), c => c.charCodeAt(0))]).stream()
+      .pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+    const engine = await Engine.from(bytes);
+    const {balls} = JSON.parse(document.querySelector('#json').value);
+    const ask = async how => [...await engine.decide(how, balls, ${side}, ${step})].map(x => encounters[x]);
+    return {balls, double: await ask(1), graze: await ask(2)};
+  })()`);
+  const truth = found.graze.map((_, k) => decided(found.balls, ((k % side) - side / 2) * step, (Math.floor(k / side) - side / 2) * step));
+  assert.deepEqual(found.graze, truth, 'graze decides as integers do');
+  assert.equal(truth.filter(x => x === 'graze').length, 16);
+  const wrong = truth.filter((x, k) => x !== found.double[k]).length;
+  assert.ok(wrong > 100, 'doubles are wrong on the first screen');
+  assert.equal(await text('[data-key=double] .note'), `${wrong} wrong`);
+  assert.equal(await text('[data-key=graze] .note'), 'exact');
+  await until('doubles say of the framed pixel what graze does not', () => browser.evaluate('document.querySelector("#table .other") !== null'));
+  const lowest = await browser.evaluate('document.querySelector("[data-key=double] canvas").getBoundingClientRect().bottom');
+  assert.ok(lowest <= screen.height, 'the wrong decisions are on the first screen');
+
+  const k = found.double.findIndex((x, i) => x !== truth[i]);
+  const [red, green, blue] = await browser.evaluate(`(() => {
+    const canvas = document.querySelector('[data-key=double] canvas'), cell = canvas.width / ${side};
+    return [...canvas.getContext('2d').getImageData(${(k % side) + 0.5} * cell, ${side - 0.5 - Math.floor(k / side)} * cell, 1, 1).data] })()`);
+  assert.ok(red > 150 && green < 110 && blue < 130, 'a wrong pixel is red');
+
+  for (let i = 0; i < 12; ++i) await browser.key('ArrowLeft');
+  await until('further away all are right', async () => (await text('[data-key=double] .note')) === 'all right');
+  for (let i = 0; i < 12; ++i) await click('#in');
+  await until('near by they are wrong again', async () => (await text('[data-key=double] .note')) === `${wrong} wrong`);
+  await fits('pair');
+}
+
+// title of the button, name of the scene, events, the last one's balls and time, and the event at which doubles part.
+async function checkRun(title, name, events, who, time, parting) {
+  await browser.evaluate(`[...document.querySelectorAll('#scenes button')].find(b => b.textContent === ${JSON.stringify(title)}).click()`);
+  await shown(name);
+  assert.equal(await text('#position'), `event 0 of ${events}`);
+  await browser.key('ArrowRight');
+  assert.equal(await text('#position'), `event 1 of ${events}`, `${title}: a step`);
+  await browser.key('End');
+  assert.equal(await text('#position'), `event ${events} of ${events}`, `${title}: the end`);
+  const last = await browser.evaluate(`[...document.querySelectorAll('#table tr.now td:last-child .who')].map(e => e.textContent)`);
+  assert.deepEqual(last, ['', time, who], `${title}: the last event`);
+  assert.equal(/double leaves them at event (\d+)/.exec(await text('#verdict'))?.[1], parting, `${title}: where doubles part`);
+  await fits(title);
+}
+
+async function checkRuns() {
+  await checkRun('corner pocket', 'corner pocket', 300, 'ball 0 and wall 6', '0x1.368757f115b3ep+5', '99');
+  await checkRun('Galperin’s blocks', "Galperin's billiard", 314, 'ball 0 and plane 0', '0x1.c028ce357bab9p+2', undefined);
+  await checkRun('Sinai’s billiard', 'Sinai billiard', 200, 'ball 0 and plane 2', '0x1.60a2954de75f3p+6', '52');
+}
+
+async function checkSharing(screen) {
+  const scene = {dimension: 2, name: 'given', balls: [{position: [0.1, '1/3'], velocity: ['0x1.8p-3', 0], radius: 0.25, mass: 'inf'}],
+    planes: [{point: [2, 0], normal: [1, 0]}]};
+  await open(screen, '#' + encodeURIComponent(JSON.stringify(scene)));
+  await shown('given');
+  const json = await browser.evaluate('document.querySelector("#json").value');
+  assert.deepEqual(JSON.parse(json), scene, 'the scene of the address, as it was written');
+  const ball = await browser.evaluate(`import('playground/scene.mjs').then(m => m.readScene(${JSON.stringify(json)}).balls[0])`);
+  assert.deepEqual([ball.position, ball.velocity], [[0.1, 1 / 3], [0.1875, 0]]);
+
+  await browser.evaluate(`document.querySelector('#json').value = '{"dimension": 2, "balls": [{"position": [0, 0], "velocity": [0, 0], "radius": -1}]}'`);
+  await click('#apply');
+  await until('a fault is named', async () => (await text('#fault')) === '/balls/0/radius: a negative radius');
+}
+
+async function checkDrawing(screen) {
+  await open(screen);
+  await click('#own summary');
+  await click('#empty');
+  await shown('my scene');
+  await click('[data-tool=ball]');
+  const box = await browser.evaluate(`(() => { const c = document.querySelector('[data-key=graze] canvas'); c.scrollIntoView({block: 'center'});
+    const {left, top, width, height} = c.getBoundingClientRect(); return {left, top, width, height} })()`);
+  const at = (x, y) => [box.left + x * box.width, box.top + y * box.height];
+  await browser.drag(at(0.6, 0.5), at(0.7, 0.4));
+  const scene = async () => JSON.parse(await browser.evaluate('document.querySelector("#json").value'));
+  await until('a ball is drawn', async () => (await scene()).balls.length === 2);
+  await click('[data-tool=wall]');
+  await browser.drag(at(0.3, 0.3), at(0.4, 0.7));
+  await until('a wall is drawn', async () => (await scene()).walls.length === 5);
+  assert.ok((await scene()).balls[1].velocity[1] > 0, 'the ball flies up');
+  await fits('drawing');
+  writeFileSync(join(folder, 'drawn.json'), JSON.stringify(await scene()));
+  const address = await browser.evaluate('location.hash');
+  assert.deepEqual(JSON.parse(decodeURIComponent(address.slice(1))), await scene(), 'the address holds the scene');
+}
+
+try {
+  for (const screen of [desk, telephone]) {
+    const name = `${screen.width}${screen.dark ? '-dark' : ''}`;
+    await checkPair(screen);
+    await picture(`pair-${name}`);
+    await checkRun('pool table', 'pool break', 400, 'ball 15 and wall 0', '0x1.4167f8debdfddp+3', '134');
+    await picture(`pool-${name}`);
+    if (screen === desk) await checkRuns();
+    await checkDrawing(screen);
+    await picture(`drawing-${name}`);
+  }
+  await checkSharing(desk);
+  if (reader) {
+    const {status, stderr} = spawnSync(reader, [join(folder, 'drawn.json'), '--types', 'double'], {encoding: 'utf8'});
+    assert.equal(status, 0, `graze-compare reads what was drawn: ${stderr}`);
+  }
+  const loaded = await browser.evaluate(`performance.getEntriesByType('resource').map(r => r.name).filter(n => !n.startsWith('data:'))`);
+  assert.deepEqual(loaded, [], 'nothing comes from elsewhere');
+  assert.deepEqual(browser.faults, [], 'nothing in the console');
+  console.log('all as expected');
+} finally {
+  browser.close();
+}
