@@ -135,11 +135,16 @@ template <int N>
                 continue;
             }
             turned = true;
-            const auto matches = [&](const passage& way) {
+            const auto matches = [&](const passage& way) { // as far as velocities are not rounded
+                auto v = u;
                 for (std::size_t i = 0; i < way.bounces.size() && next + i < most; ++i) {
                     if (next + i >= told.size() || told[next + i].wall != way.bounces[i] ||
                         told[next + i].time != now.get_d()) {
                         return false;
+                    }
+                    v = walls[way.bounces[i]].reflected(v);
+                    if (!is_exact<N>(v)) {
+                        return true;
                     }
                 }
                 const std::size_t end = next + way.bounces.size();
