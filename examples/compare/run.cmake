@@ -9,7 +9,8 @@ set_property(SOURCE main.cpp APPEND PROPERTY COMPILE_DEFINITIONS COMPARE_HAS_MPF
 # The proof, and how a type's run is judged by it.
 add_library(compare_certified STATIC
     run/certified.cpp run/certified_flight.cpp run/certified_run.cpp run/certified_time.cpp run/clearance.cpp
-    run/event_check.cpp run/event_ways.cpp run/integer_line.cpp run/mpfi_interval.cpp run/sequence.cpp)
+    run/event_check.cpp run/event_place.cpp run/event_sides.cpp run/event_ways.cpp run/integer_line.cpp
+    run/mpfi_interval.cpp run/sequence.cpp)
 target_link_libraries(compare_certified PUBLIC compare_engine graze_number_mpfi PRIVATE graze_warnings)
 target_compile_options(compare_certified PRIVATE $<$<CONFIG:Release>:-O1>)
 

@@ -252,8 +252,27 @@ TEST_CASE("a point bounces off what it meets and off nothing else") {
 
 TEST_CASE("what is jammed is named, and what overlaps") {
     const bench here;
-    const ending e = here.run("run " GRAZE_TEST_SCENES "/slot.json --until 10 --certified");
+    const ending e = here.run("run " GRAZE_TEST_SCENES "/slot.json --until 10 --certified --json slot.json");
     CHECK(e.code != 0);
     CHECK(holds(e.out, "2 pairs overlap at the start: ball 0 and wall 0, ball 0 and wall 1"));
     CHECK(holds(e.out, "without end among ball 0, wall"));
+    const auto all = nlohmann::json::parse(content_of(here / "slot.json"));
+    CHECK(all["ending"] == "cascade");
+    auto jammed = all["jammed"].get<std::vector<std::string>>();
+    std::sort(jammed.begin(), jammed.end());
+    CHECK(jammed == std::vector<std::string>{"ball 0", "wall 0", "wall 1"});
+}
+
+TEST_CASE("a mirror that presses a ball to a plane is a jam") {
+    const bench here;
+    const ending e =
+        here.run("run " GRAZE_TEST_SCENES "/mirror.json --until 50 --jam 20 --certified --json mirror.json");
+    INFO(e.out.substr(0, 300) << e.err);
+    CHECK(holds(e.out, "without end among"));
+    const auto all = nlohmann::json::parse(content_of(here / "mirror.json"));
+    CHECK(all["ending"] == "cascade");
+    CHECK(all["jammed"].size() == 3);
+    CHECK(all["events"].size() > 1000);
+    CHECK(all["events"].size() < 2'000'000 / 20);
+    CHECK(all["events"].back()["time"].get<std::string>().substr(0, 5) == "1.499"); // it is over at 3/2
 }

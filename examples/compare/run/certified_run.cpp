@@ -73,6 +73,7 @@ class attempt {
                 limits.time = certified(*how_far_.until, bits_);
             }
             limits.events = how_far_.events.value_or(limits.events);
+            limits.jam = how_far_.jam;
             const graze::outcome done = run->advance(limits, [&](const auto& e) { return note(found, check, e); });
             found.why = done.why;
             found.jammed = done.jammed;

@@ -4,6 +4,9 @@
 #include "clearance.hpp"
 #include "event_check.hpp"
 
+#include <algorithm>
+#include <optional>
+
 namespace compare::run {
 
 [[noreturn]] inline void leave_open(const graze::meeting& who, const char* what, const certified& t) {
@@ -35,6 +38,83 @@ template <int N>
 template <int N>
 [[nodiscard]] const vector_of<N>& point_of(const graze::wall<N, certified>& w) {
     return w.corner;
+}
+
+template <int N>
+[[nodiscard]] bool is_zero(const vector_of<N>& x) {
+    return std::all_of(x.component, x.component + N, [](const certified& c) { return c.certain_sign() == 0; });
+}
+
+// Whether they may be equal.
+[[nodiscard]] inline bool agree(const certified& x, const certified& y) {
+    return (x - y).certain_sign().value_or(0) == 0;
+}
+
+template <int N>
+[[nodiscard]] bool agree(const vector_of<N>& x, const vector_of<N>& y) {
+    for (int i = 0; i < N; ++i) {
+        if (!agree(x[i], y[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Whether x may be along n.
+template <int N>
+[[nodiscard]] bool may_be_along(const vector_of<N>& x, const vector_of<N>& n) {
+    const auto across = graze::cross(x, n);
+    if constexpr (N == 2) {
+        return agree(across, certified(0));
+    } else {
+        return agree<N>(across, vector_of<N>{});
+    }
+}
+
+// Of x, which is in the plane of the wall: 1 inside the wall, 0 on its border, -1 beside it; empty where that is open.
+template <int N>
+[[nodiscard]] std::optional<int> place_in(const graze::plane<N, certified>&, const vector_of<N>&) {
+    return 1;
+}
+template <int N>
+[[nodiscard]] std::optional<int> place_in(const graze::wall<N, certified>& w, const vector_of<N>& x) {
+    std::optional<int> least = 1;
+    for (std::size_t i = 0; i < w.edge.size(); ++i) {
+        const vector_of<N> from = x - w.corner, &e = w.edge[i];
+        vector_of<N> across = e; // within the wall, across its other edge
+        if constexpr (N == 3) {
+            across = graze::cross(w.edge[1 - i], normal_of<N>(w));
+        }
+        const certified share = graze::dot(from, across) / graze::dot(e, across);
+        const auto low = share.certain_sign(), high = (certified(1) - share).certain_sign();
+        if (low == -1 || high == -1) {
+            return -1;
+        }
+        least = least && low && high ? std::optional(std::min({*least, *low, *high})) : std::nullopt;
+    }
+    return least;
+}
+
+// Where the answer is open in few bits it is asked for in all.
+template <class F>
+[[nodiscard]] verdict sharpened(F of) {
+    const verdict coarse = of(true);
+    return coarse == verdict::open ? of(false) : coarse;
+}
+
+template <class A, class B>
+[[nodiscard]] verdict verdict_of(const A& a, const B& b, const certified& from, const certified* to, bool meet) {
+    const auto of = [&](const certified& t) { return clearance_at(a, b, t); };
+    return to != nullptr ? clear_between(of, from, *to, meet) : clear_after(of, from);
+}
+
+inline void judge(verdict v, const graze::meeting& who, const certified& from) {
+    if (v == verdict::crossed) {
+        refute(who, "met before that, and it was not told", from);
+    }
+    if (v == verdict::open) {
+        leave_open(who, "whether they stay apart", from);
+    }
 }
 
 } // namespace compare::run

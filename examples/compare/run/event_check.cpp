@@ -20,35 +20,6 @@ graze::flight<N, certified> coarsened(const graze::flight<N, certified>& a) {
             a.since.rounded(few_bits)};
 }
 
-template <int N>
-bool is_zero(const vector_of<N>& x) {
-    return std::all_of(x.component, x.component + N, [](const certified& c) { return c.certain_sign() == 0; });
-}
-
-// Whether they may be equal.
-bool agree(const certified& x, const certified& y) { return (x - y).certain_sign().value_or(0) == 0; }
-
-template <int N>
-bool agree(const vector_of<N>& x, const vector_of<N>& y) {
-    for (int i = 0; i < N; ++i) {
-        if (!agree(x[i], y[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-// Whether x may be along n.
-template <int N>
-bool may_be_along(const vector_of<N>& x, const vector_of<N>& n) {
-    const auto across = graze::cross(x, n);
-    if constexpr (N == 2) {
-        return agree(across, certified(0));
-    } else {
-        return agree<N>(across, vector_of<N>{});
-    }
-}
-
 } // namespace
 
 template <int N>
@@ -77,14 +48,6 @@ graze::meeting event_check<N>::named(int a, std::size_t standing) const {
                : graze::meeting{graze::partner::wall, a, static_cast<int>(standing - scene_.planes.size())};
 }
 
-namespace {
-
-std::size_t standing_of(const graze::meeting& who, std::size_t planes) {
-    return static_cast<std::size_t>(who.b) + (who.with == graze::partner::wall ? planes : 0);
-}
-
-} // namespace
-
 template <int N>
 void event_check<N>::event(const graze::meeting& who, const certified& t, const flight& a, const flight* b) {
     check_place(who, t);
@@ -97,98 +60,6 @@ void event_check<N>::event(const graze::meeting& who, const certified& t, const 
     if (b != nullptr) {
         start(who.b, *b, t, who);
     }
-}
-
-template <int N>
-void event_check<N>::check_place(const graze::meeting& who, const certified& t) const {
-    const mover& a = movers_[static_cast<std::size_t>(who.a)];
-    const bool two = who.with == graze::partner::ball;
-    const mover* b = two ? &movers_[static_cast<std::size_t>(who.b)] : nullptr;
-    if ((t - a.now.since).certain_sign() == -1 || (two && (t - b->now.since).certain_sign() == -1)) {
-        refute(who, "meet before they fly", t);
-    }
-    const vector_of<N> x = place_at<N>(a.now, t);
-    for (int i = 0; i < N; ++i) {
-        const graze::time_bounds around = x[i].bounds();
-        if (!(around.upper - around.lower <= 0x1p-20 * std::max(size_, std::abs(around.upper)))) {
-            leave_open(who, "where they meet", t);
-        }
-    }
-    const std::size_t standing = two ? 0 : standing_of(who, scene_.planes.size());
-    const clearance there = two ? clearance_at<N>(a.now, b->now, t)
-                                : with_standing(standing, [&](const auto& s) { return clearance_at<N>(a.now, s, t); });
-    const std::optional<int> apart = there.value.certain_sign(), going = there.slope.certain_sign();
-    if (apart == 1) {
-        refute(who, "do not touch", t);
-    }
-    // Inside each other they meet as soon as they are seen to come closer, and not on the way.
-    const auto starts = [&](const mover& m) { return (t - m.now.since).certain_sign().value_or(0) == 0; };
-    if (apart == -1 && !starts(a) && !(two && starts(*b))) {
-        refute(who, "are inside each other", t);
-    }
-    if (going == 1) {
-        refute(who, "part", t);
-    }
-    if (!two && is_point(a)) { // the slope of a point's clearance is 0 there: it is asked for its speed
-        const std::optional<int> speed = with_standing(
-            standing, [&](const auto& s) { return graze::dot(a.now.state.velocity, normal_of<N>(s)).certain_sign(); });
-        if (!speed) {
-            leave_open(who, "whether they come closer", t);
-        }
-        for (const side& s : a.sides) {
-            if (s.standing == standing && *speed * s.sign > 0) {
-                refute(who, "part", t);
-            }
-        }
-    } else if (!going && !(two && is_point(a) && is_point(*b))) {
-        leave_open(who, "whether they come closer", t);
-    }
-}
-
-template <int N>
-void event_check<N>::check_laws(const graze::meeting& who, const certified& t, const flight& a, const flight* b) const {
-    const mover& x = movers_[static_cast<std::size_t>(who.a)];
-    const vector_of<N> at = place_at<N>(x.now, t), change = a.state.velocity - x.now.state.velocity;
-    const auto is_wrong = [&](bool right) {
-        if (!right) {
-            refute(who, "do not part by the laws of collision", t);
-        }
-    };
-    if (x.immovable) {
-        is_wrong(is_zero<N>(change));
-    } else {
-        is_wrong(agree<N>(place_at<N>(a, t), at));
-    }
-    if (b == nullptr) {
-        with_standing(standing_of(who, scene_.planes.size()), [&](const auto& s) {
-            vector_of<N> normal = normal_of<N>(s);
-            if (!is_point(x)) {
-                const clearance before = clearance_at<N>(x.now, s, t), after = clearance_at<N>(a, s, t);
-                is_wrong(agree(before.slope, -after.slope) || x.immovable);
-                if constexpr (requires { s.edge; }) {
-                    normal = at - nearest_point<N>(s, at);
-                }
-            }
-            is_wrong(may_be_along<N>(change, normal));
-            is_wrong(x.immovable ||
-                     agree(graze::dot(a.state.velocity, normal), -graze::dot(x.now.state.velocity, normal)));
-            is_wrong(agree(graze::squared_norm(a.state.velocity), graze::squared_norm(x.now.state.velocity)));
-            return 0;
-        });
-        return;
-    }
-    const mover& y = movers_[static_cast<std::size_t>(who.b)];
-    const vector_of<N> other = b->state.velocity - y.now.state.velocity;
-    is_wrong(y.immovable ? is_zero<N>(other) : agree<N>(place_at<N>(*b, t), place_at<N>(y.now, t)));
-    const vector_of<N> apart = at - place_at<N>(y.now, t);
-    is_wrong(may_be_along<N>(change, apart) && may_be_along<N>(other, apart));
-    const certified inverse_a = certified(1) / a.state.mass, inverse_b = certified(1) / b->state.mass;
-    is_wrong(agree<N>(inverse_b * change, -(inverse_a * other))); // momentum, in units of the product of the masses
-    const vector_of<N> before = x.now.state.velocity - y.now.state.velocity,
-                       after = a.state.velocity - b->state.velocity;
-    is_wrong(agree(graze::squared_norm(before), graze::squared_norm(after))); // energy, about the common centre
-    const std::optional<int> parts = graze::dot(apart, after).certain_sign();
-    is_wrong(parts != -1);
 }
 
 template <int N>

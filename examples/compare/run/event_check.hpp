@@ -72,6 +72,7 @@ class event_check {
     void check_standing(int a, std::size_t b, const certified* t, bool meet) const;
     void check_point(int a, std::size_t b, const certified* t, bool meet) const;
     [[nodiscard]] bool keeps_aside(const mover& x) const;
+    [[nodiscard]] int side_along(const mover& x, const vector_of<N>& normal) const;
     void note_sides(int a, const certified& t, const graze::meeting& who);
     // Of others that have been told of already, though their events are not certainly earlier than t: their ways until
     // then beside a's from t on.

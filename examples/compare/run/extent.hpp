@@ -9,9 +9,11 @@
 namespace compare::run {
 
 // How far a run goes: until a time, for a number of events, or both, whichever is first.
+// jam: as that of run_limits.
 struct extent {
     std::optional<exact> until;
     std::optional<std::uint64_t> events;
+    std::uint64_t jam = 0;
 };
 
 // What is wanted of the certified run. digits: decimal digits of positions and velocities at the end, counted from the

@@ -62,7 +62,10 @@ std::string to_json(const run_report& r) {
     if (r.distance_of) {
         all["distance"] = {{"ball", *r.distance_of}, {"from_origin", r.distance}};
     }
-    json states = json::array(), events = json::array(), types = json::array();
+    json jammed = json::array(), states = json::array(), events = json::array(), types = json::array();
+    for (const graze::participant& p : r.jammed) {
+        jammed.push_back(to_string(p));
+    }
     for (const end_state& s : r.states) {
         states.push_back({{"ball", s.ball}, {"position", s.position}, {"velocity", s.velocity}});
     }
@@ -72,6 +75,7 @@ std::string to_json(const run_report& r) {
     for (const judged_history& j : r.types) {
         types.push_back(type_of(j));
     }
+    all["jammed"] = std::move(jammed);
     all["states"] = std::move(states);
     all["events"] = std::move(events);
     all["types"] = std::move(types);

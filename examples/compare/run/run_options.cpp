@@ -17,6 +17,10 @@ CLI::App* add_run_command(CLI::App& app, raw_run_options& to) {
     run->add_option("--until", to.until, "Up to and with this time, a number as in a scene file");
     run->add_option("--collisions", to.collisions, "Up to so many collisions")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10'000'000}));
+    run->add_option(
+           "--jam", o.how_far.jam,
+           "End when three or fewer have met so many times while time all but stands still, 10000 if not given")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10'000'000}));
     run->add_option("--digits", o.wanted.digits, "Decimal digits of positions and velocities at the end")
         ->capture_default_str()
         ->check(CLI::Range(1, 1'000'000));

@@ -58,6 +58,7 @@ class type_run {
           own_(scene_in<number>(scene, infinite_mass<number>(), [](const exact& x) { return convert<number>(x); })) {
         // In a wrong sequence there may be many more.
         limits_.events = plan.how_far.events.value_or(2 * truth.steps.size() + 1000);
+        limits_.jam = plan.how_far.jam;
         if (plan.how_far.until) {
             limits_.time = convert<number>(*plan.how_far.until);
         }
