@@ -51,6 +51,24 @@ TEST_CASE("a ball that a mirror presses to a plane is named before two million e
     CHECK(earlier.outcome.events < finished.outcome.events);
 }
 
+TEST_CASE("a ball that two mirrors press is named with both, and stops if one wants") {
+    const balls two = {{{{-3, 0}}, {{1, 0}}, 0.5, infinite},
+                       {{{0, 0}}, {{0, 0}}, 0.5, 1},
+                       {{{3, 0}}, {{-1, 0}}, 0.5, infinite},
+                       {{{90, 10}}, {{-1, 0}}, 0.5, 1}};
+    auto finished = run_exactly<2>({two, {}, {}}, {.time = 2.25});
+    CHECK(finished.outcome.why == graze::ending::cascade);
+    participants named = finished.outcome.jammed;
+    std::sort(named.begin(), named.end());
+    CHECK(named == participants{{ball, 0}, {ball, 1}, {ball, 2}});
+    finished = run_exactly<2>({two, {}, {}}, {.time = 2.25, .events = 100'000, .stop_jams = true});
+    named = finished.outcome.jammed;
+    std::sort(named.begin(), named.end());
+    CHECK(named == participants{{ball, 0}, {ball, 1}, {ball, 2}});
+    CHECK(finished.flights[1].state.velocity == graze::vec<2, double>{{0, 0}});
+    CHECK(finished.outcome.events < 10'000);
+}
+
 TEST_CASE("what is jammed stops if one wants, and the others go on until they meet it") {
     auto finished = run_exactly<2>({jammed, ends, slot}, {.time = 50, .stop_jams = true});
     CHECK(finished.outcome.why == graze::ending::time);

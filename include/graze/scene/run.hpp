@@ -82,10 +82,11 @@ class run {
                 return ended_by({a, b, detail::no_body}, done);
             }
             if (still_ >= patience) {
+                const body stuck = scene()[a].immovable && b < scene().balls() ? b : a;
                 if (!limits.stop_jams) {
-                    return ended_by(jams_.around(a), done);
+                    return ended_by(jams_.around(stuck), done);
                 }
-                stop(jams_.around(a), done);
+                stop(jams_.around(stuck), done);
                 continue;
             }
             const bool goes_on = perform(observer);
