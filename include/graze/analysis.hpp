@@ -3,6 +3,7 @@
 
 #include <graze/analysis/bit_width.hpp>
 #include <graze/analysis/error_bound.hpp>
+#include <graze/analysis/fpcore_term.hpp>
 #include <graze/analysis/gappa_term.hpp>
 #include <graze/analysis/operation_count.hpp>
 #include <graze/analysis/polynomial.hpp>

@@ -1,0 +1,144 @@
+// A number type in which a formula writes itself as FPCore, the language of the FPBench standard, which Herbie,
+// FPTaylor and other tools read: https://fpbench.org/spec/fpcore-2.0.html.
+#pragma once
+
+#include <graze/number/traits.hpp>
+
+#include <cstddef>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace graze::inline v0_1 {
+
+class fpcore_term;
+
+// Collects a run: inputs by name, and every operation once, in the order in which the formula computes them.
+class fpcore_script {
+  public:
+    // A symbol of FPCore: letters, digits and any of ~!@$%^&*_-+=<>.?/: but no digit first. Throws
+    // std::invalid_argument for anything else, for a name that is taken, and for t0, t1 and so on, which name what is
+    // computed.
+    [[nodiscard]] fpcore_term input(const std::string& name);
+
+    // A fact about the inputs, an expression of FPCore such as "(< 0 R)".
+    void suppose(const std::string& fact) { facts_.push_back(fact); }
+
+    // The whole of it. precision: "binary32", "binary64", "binary128", "real" or another that the tools know.
+    [[nodiscard]] std::string text(const fpcore_term& result, const std::string& name,
+                                   const std::string& precision = "binary64") const;
+
+  private:
+    friend class fpcore_term;
+    std::vector<std::string> inputs_, facts_, operations_;
+};
+
+class fpcore_term {
+  public:
+    fpcore_term(int value = 0) : text_(std::to_string(value)) {}
+
+    // A number or a name.
+    [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+    [[nodiscard]] fpcore_term operator-() const { return noted("-", {this}); }
+    [[nodiscard]] friend fpcore_term operator+(const fpcore_term& x, const fpcore_term& y) {
+        return noted("+", {&x, &y});
+    }
+    [[nodiscard]] friend fpcore_term operator-(const fpcore_term& x, const fpcore_term& y) {
+        return noted("-", {&x, &y});
+    }
+    [[nodiscard]] friend fpcore_term operator*(const fpcore_term& x, const fpcore_term& y) {
+        return noted("*", {&x, &y});
+    }
+    [[nodiscard]] friend fpcore_term operator/(const fpcore_term& x, const fpcore_term& y) {
+        return noted("/", {&x, &y});
+    }
+    // x y + z, rounded once.
+    [[nodiscard]] friend fpcore_term fused(const fpcore_term& x, const fpcore_term& y, const fpcore_term& z) {
+        return noted("fma", {&x, &y, &z});
+    }
+    [[nodiscard]] friend fpcore_term square_root_of(const fpcore_term& x) { return noted("sqrt", {&x}); }
+
+  private:
+    friend class fpcore_script;
+    fpcore_term(fpcore_script* script, std::string text) : script_(script), text_(std::move(text)) {}
+
+    // Of numbers alone there is no script: the operation stands where it is used.
+    [[nodiscard]] static fpcore_term noted(const char* operation, std::initializer_list<const fpcore_term*> operands) {
+        std::string expression = std::string("(") + operation;
+        fpcore_script* script = nullptr;
+        for (const fpcore_term* x : operands) {
+            expression += " " + x->text_;
+            script = script != nullptr ? script : x->script_;
+        }
+        expression += ")";
+        if (script == nullptr) {
+            return {nullptr, expression};
+        }
+        script->operations_.push_back(expression);
+        return {script, "t" + std::to_string(script->operations_.size() - 1)};
+    }
+
+    fpcore_script* script_ = nullptr;
+    std::string text_;
+};
+
+inline fpcore_term fpcore_script::input(const std::string& name) {
+    constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ~!@$%^&*_-+=<>.?/:";
+    constexpr const char* digits = "0123456789";
+    const bool is_symbol = !name.empty() && std::string(digits).find(name.front()) == std::string::npos &&
+                           name.find_first_not_of(std::string(letters) + digits) == std::string::npos;
+    const bool is_ours =
+        name.size() > 1 && name.front() == 't' && name.find_first_not_of(digits, 1) == std::string::npos;
+    bool is_taken = false;
+    for (const std::string& other : inputs_) {
+        is_taken = is_taken || other == name;
+    }
+    if (!is_symbol || is_ours || is_taken) {
+        throw std::invalid_argument("fpcore_script::input: \"" + name + "\" is " +
+                                    (is_taken  ? "taken"
+                                     : is_ours ? "the name of a result"
+                                               : "no symbol of FPCore"));
+    }
+    inputs_.push_back(name);
+    return {this, name};
+}
+
+inline std::string fpcore_script::text(const fpcore_term& result, const std::string& name,
+                                       const std::string& precision) const {
+    std::string text = "(FPCore (";
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+        text += (i == 0 ? "" : " ") + inputs_[i];
+    }
+    text += ")\n :name \"" + name + "\"\n :precision " + precision + "\n";
+    if (!facts_.empty()) {
+        text += " :pre (and";
+        for (const std::string& fact : facts_) {
+            text += " " + fact;
+        }
+        text += ")\n";
+    }
+    if (operations_.empty()) {
+        return text + " " + result.text() + ")\n";
+    }
+    text += " (let* (";
+    for (std::size_t i = 0; i < operations_.size(); ++i) {
+        text += (i == 0 ? "[t" : "\n        [t") + std::to_string(i) + " " + operations_[i] + "]";
+    }
+    return text + ")\n  " + result.text() + "))\n";
+}
+
+template <>
+struct number_traits<fpcore_term> {
+    static constexpr const char* name = "fpcore_term";
+    static constexpr bool is_exact = false;
+    static constexpr int digits = 0;
+    // In a case distinction, the case of positive numbers is written; suppose() should say so.
+    static int sign(const fpcore_term&) { return 1; }
+    static fpcore_term sqrt(const fpcore_term& x) { return square_root_of(x); }
+    static fpcore_term fma(const fpcore_term& x, const fpcore_term& y, const fpcore_term& z) { return fused(x, y, z); }
+};
+
+} // namespace graze::inline v0_1
