@@ -1,5 +1,5 @@
-// The sign of the discriminant of hard pairs, a line a pair: by a form in doubles, which NumericalStabilitySanitizer watches,
-// or with EXACT defined by integers. NSan's reports appear between the lines.
+// The sign of the discriminant of hard pairs, a line a pair: by a form in doubles, which NumericalStabilitySanitizer
+// watches, or with EXACT defined by integers. NSan's reports appear between the lines.
 //   pairs FAMILY FORM COUNT
 #include "../../../examples/families/families.hpp"
 
@@ -22,7 +22,10 @@ using ball = graze::ball<2, double>;
 // Of pairs that come closer and do not overlap: hit, graze and miss tell the sign of D. Others have no line.
 int sign_of(std::string_view, const ball& a, const ball& b) {
     const auto what = graze::classify(a, b);
-    return what == graze::encounter::hit ? 1 : what == graze::encounter::graze ? 0 : what == graze::encounter::miss ? -1 : 2;
+    return what == graze::encounter::hit     ? 1
+           : what == graze::encounter::graze ? 0
+           : what == graze::encounter::miss  ? -1
+                                             : 2;
 }
 #else
 [[gnu::noinline]] double discriminant(std::string_view form, const ball& a, const ball& b) {
