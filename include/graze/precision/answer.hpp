@@ -2,7 +2,6 @@
 #pragma once
 
 #include <graze/formula/wall_encounter.hpp>
-#include <graze/linear/vec.hpp>
 #include <graze/precision/number_access.hpp>
 
 #include <optional>

@@ -11,7 +11,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// A ball, plane, wall or triangle of a run, in this order.
+// A ball, plane or wall of a run: the balls first, then the planes, then the walls.
 using body = std::uint32_t;
 inline constexpr body no_body = 0xffffffffU;
 

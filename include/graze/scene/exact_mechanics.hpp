@@ -1,9 +1,9 @@
 // A run in floats or doubles in which every decision is exact and every number correctly rounded.
 #pragma once
 
+#include <graze/contact/collide_balls.hpp>
 #include <graze/contact/collide_flights.hpp>
 #include <graze/exact/dyadic.hpp>
-#include <graze/predicate/signs_of_face.hpp>
 #include <graze/scene/mechanics.hpp>
 #include <graze/time/time_of_flights.hpp>
 
@@ -20,7 +20,7 @@ struct exact_mechanics {
     static constexpr int dimension = N;
     using number = T;
     using state = flight<N, T>;
-    using time = flight_time<N, T>;
+    using time = impact_time<N, T>;
     using exact = dyadic;
     static constexpr bool rounds = true;
 
@@ -31,17 +31,13 @@ struct exact_mechanics {
         return time_of_impact(a, other);
     }
 
-    [[nodiscard]] constexpr wall_encounter feature(const state& a, const triangle<T>& t) const requires(N == 3) {
-        return classify_feature(a, t);
-    }
-
     [[nodiscard]] constexpr int order(const time& s, const time& t) const { return s.compare(t); }
     [[nodiscard]] constexpr int order(const time& s, const T& t) const { return s < t ? -1 : s > t ? 1 : 0; }
     // The enclosure that the time was made with; one that is too wide to be of use is rounded from the exact time.
     [[nodiscard]] constexpr time_bounds bounds(const time& t) const {
-        const detail::timed_enclosure& near = t.enclosure();
-        if (near.last - near.first <= near.last * 0x1p-40) {
-            return {near.first, near.last};
+        const detail::enclosure near = t.enclosure();
+        if (near.error <= near.near * 0x1p-41) {
+            return {near.lower(), near.upper()};
         }
         return {static_cast<double>(t.lower()), static_cast<double>(t.upper())};
     }
@@ -50,10 +46,9 @@ struct exact_mechanics {
         ball<N, T> approaching{};
         approaching.position[0] = T(-1);
         approaching.velocity[0] = T(1);
-        const detail::flight_event<N, T> then(detail::two_balls<N>{}, approaching, ball<N, T>{},
-                                              detail::event_kind::balls, 0, true, a.since, a.since);
-        const auto at = static_cast<double>(then.start());
-        return time(detail::impact_time_key{}, detail::timed_enclosure{at, at}, then);
+        return detail::enclosed_exactly(detail::event<N, T>(detail::two_balls<N>{}, state{approaching, a.since},
+                                                            state{ball<N, T>{}, a.since}, detail::event_kind::balls, 0,
+                                                            true));
     }
     [[nodiscard]] constexpr flight<N, double> about(const state& a) const {
         const auto wide = [](const vec<N, T>& x) {
@@ -82,29 +77,40 @@ struct exact_mechanics {
 
     template <class S>
     [[nodiscard]] constexpr int side(const state& a, const S& standing) const {
-        return detail::side_of(a.state, standing);
+        return sign_of(a, standing, plane_height{});
     }
     template <class S>
     [[nodiscard]] constexpr int heading(const state& a, const S& standing) const {
-        return detail::heading_of(a.state, standing);
+        return sign_of(a, standing, plane_speed{});
     }
     template <class S>
     [[nodiscard]] constexpr time reach(const state& a, const S& standing) const {
-        using pair = detail::pair_with<S>;
-        return detail::enclosed_exactly(detail::flight_event<N, T>(
-            pair{}, a.state, standing, detail::kind_of<N>(pair{}, graze::feature::face), 0, false, a.since, a.since));
+        using pair = typename decltype(detail::pair_of(a.state, standing))::kind;
+        const bool is_plane = std::is_same_v<S, plane<N, T>>;
+        return detail::enclosed_exactly(detail::event<N, T>(
+            pair{}, a, standing, is_plane ? detail::event_kind::plane : detail::event_kind::face, 0, false));
     }
     // As of a ball that cuts the face and goes deeper.
     template <class S>
     constexpr void turn_back(state& a, const S& standing) const {
-        using pair = detail::pair_with<S>;
-        constexpr wall_encounter inside{encounter::overlap, graze::feature::face, 0};
+        using pair = typename decltype(detail::pair_of(a.state, standing))::kind;
+        constexpr wall_encounter inside{encounter::overlap, feature::face, 0};
         const auto c = detail::contact_of(pair{}, inside, stage::exact, a.state, standing, ignore_stage{},
                                           detail::clock_of_flight<T>{a.since});
         leave(a, a.since, a.state.position, c->velocity);
     }
 
   private:
+    template <class S, class F>
+    [[nodiscard]] static constexpr int sign_of(const state& a, const S& standing, F f) {
+        return detail::with_certain_signs(a.state, standing, ignore_stage{}, [&](auto& signs) {
+            if constexpr (requires { standing.edge; }) {
+                return signs(wall_view{}, f);
+            } else {
+                return signs(f);
+            }
+        });
+    }
     constexpr void leave(state& a, const T& since, const vec<N, T>& position, const vec<N, T>& velocity) const {
         if (immovable(a)) {
             return;
