@@ -5,5 +5,6 @@
 #include <graze/classify.hpp>
 #include <graze/collide.hpp>
 #include <graze/overlaps.hpp>
+#include <graze/own_types.hpp>
 #include <graze/solve.hpp>
 #include <graze/time_of_impact.hpp>
