@@ -1,0 +1,169 @@
+// Shapes of Eigen's, glm's and Bullet's vectors and of others: what is known of a few pairs, and the bits that graze's
+// own shapes give for many.
+#include <graze/graze.hpp>
+
+#if __has_include(<Eigen/Core>)
+#include <graze/linear/adapter/eigen.hpp>
+#define HAS_EIGEN
+#endif
+#if __has_include(<glm/vec3.hpp>)
+#include <graze/linear/adapter/glm.hpp>
+#define HAS_GLM
+#endif
+#if __has_include(<LinearMath/btVector3.h>)
+#include <graze/linear/adapter/bullet.hpp>
+#define HAS_BULLET
+#endif
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <random>
+
+namespace {
+
+template <class V, class T>
+struct particle {
+    V position, velocity;
+    T radius, mass;
+};
+template <class V>
+struct half_space {
+    V point, normal;
+};
+template <class V>
+struct quad {
+    V origin, along, across;
+};
+
+struct by_member {
+    double x, y, z;
+};
+class by_call {
+  public:
+    by_call(float x, float y) : x_(x), y_(y) {}
+    float x() const { return x_; }
+    float y() const { return y_; }
+
+  private:
+    float x_, y_;
+};
+
+} // namespace
+
+template <class V>
+struct graze::wall_access<quad<V>> {
+    static const V& corner(const quad<V>& q) { return q.origin; }
+    static const V& edge(const quad<V>& q, int i) { return i == 0 ? q.along : q.across; }
+};
+
+namespace {
+
+// A ball of radius 1 from (-4, 0, 3) with velocity (1, 0, 0) meets one of radius 4 at the origin: with R = 5 and a
+// height of 3 it is 4 before the origin already, so at t = 0. From (-9, 0, 3) at t = 5, in direction (-4, 0, 3)/5, and
+// keeps u - 2 (u·n) n m_b/(m_a + m_b).
+template <class V, class T>
+void check_in_space() {
+    using P = particle<V, T>;
+    const P a{V{T(-9), T(0), T(3)}, V{T(1), T(0), T(0)}, T(1), T(1)};
+    const P b{V{T(0), T(0), T(0)}, V{T(0), T(0), T(0)}, T(4), T(1)};
+    CHECK(graze::classify(a, b) == graze::encounter::hit);
+    CHECK(graze::time_of_impact(a, b) == T(5));
+    CHECK(!graze::overlaps(a, b));
+    const auto c = graze::collide(a, b);
+    REQUIRE(c);
+    CHECK(c->time == 5);
+    CHECK(c->normal == graze::vec<3, T>{T(-0.8L), T(0), T(0.6L)});
+    CHECK(c->velocity_a == graze::vec<3, T>{T(0.36L), T(0), T(0.48L)});
+    CHECK(c->velocity_b == graze::vec<3, T>{T(0.64L), T(0), T(-0.48L)});
+    CHECK(graze::solve(a, b).what == graze::encounter::hit);
+
+    const half_space<V> floor{V{T(0), T(0), T(-1)}, V{T(0), T(0), T(2)}};
+    const P falls{V{T(0), T(0), T(4)}, V{T(0), T(0), T(-2)}, T(1), T(1)};
+    CHECK(graze::time_of_impact(falls, floor) == T(2));
+    const quad<V> table{V{T(-1), T(-1), T(0)}, V{T(2), T(0), T(0)}, V{T(0), T(2), T(0)}};
+    CHECK(graze::classify(falls, table) == graze::encounter::hit);
+    CHECK(graze::time_of_impact(falls, table) == T(1.5L));
+}
+
+// The same bits as from graze's own shapes.
+template <class V, class T, class Make>
+void check_bits(Make vector) {
+    std::mt19937 random(1);
+    const auto number = [&] { return static_cast<T>(static_cast<int>(random() % 2001) - 1000) / T(64); };
+    int met = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto draw = [&] { return graze::vec<3, T>{number(), number(), number()}; };
+        const graze::ball<3, T> a{draw(), draw(), T(2), T(3)}, b{draw(), draw(), T(5)};
+        const auto foreign = [&](const graze::ball<3, T>& x) {
+            return particle<V, T>{vector(x.position), vector(x.velocity), x.radius, x.mass};
+        };
+        REQUIRE(graze::classify(foreign(a), foreign(b)) == graze::classify(a, b));
+        REQUIRE(graze::classify(a, foreign(b)) == graze::classify(a, b));
+        const auto c = graze::collide(foreign(a), foreign(b)), d = graze::collide(a, b);
+        REQUIRE(c.has_value() == d.has_value());
+        if (c) {
+            ++met;
+            REQUIRE(c->time == d->time);
+            REQUIRE(c->velocity_a == d->velocity_a);
+            REQUIRE(c->position_b == d->position_b);
+        }
+    }
+    CHECK(met > 10);
+}
+
+} // namespace
+
+TEST_CASE("members, calls, arrays") {
+    check_in_space<by_member, double>();
+    check_in_space<std::array<float, 3>, float>();
+    check_bits<by_member, double>([](const auto& v) { return by_member{v[0], v[1], v[2]}; });
+
+    // In the plane, where a graze is one: the ball passes at a distance of exactly 3 + 2.
+    const particle<by_call, float> a{{-8, 5}, {1, 0}, 3, 1};
+    const particle<by_call, float> b{{0, 0}, {0, 0}, 2, 1};
+    CHECK(graze::classify(a, b) == graze::encounter::graze);
+    CHECK(graze::time_of_impact(a, b) == 8.F);
+}
+
+TEST_CASE("a flight") {
+    struct launched {
+        by_member position, velocity;
+        double radius, since;
+    };
+    const launched a{{0, 0, 0}, {1, 0, 0}, 1, 10};
+    const launched b{{9, 0, 0}, {0, 0, 0}, 1, 0};
+    const auto time = graze::time_of_impact(a, b);
+    REQUIRE(time);
+    CHECK(static_cast<double>(*time) == 17);
+}
+
+TEST_CASE("bad input is named") {
+    const particle<by_member, double> a{{0, 0, 0}, {1, 0, 0}, -1, 1}, b{{9, 0, 0}, {0, 0, 0}, 1, 1};
+    CHECK_THROWS_WITH((void)graze::classify(a, b), "ball a: radius is negative");
+}
+
+#ifdef HAS_EIGEN
+TEST_CASE("Eigen") {
+    check_in_space<Eigen::Vector3d, double>();
+    check_bits<Eigen::Vector3f, float>([](const auto& v) { return Eigen::Vector3f(v[0], v[1], v[2]); });
+    const Eigen::Vector2d x(1, 2), y(3, 4);
+    CHECK(graze::vec_of(x + 2 * y) == graze::vec<2, double>{7, 10});
+    CHECK(graze::vec_of((Eigen::Matrix2d::Identity() * y).eval()) == graze::vec<2, double>{3, 4});
+    CHECK(graze::vector_as<Eigen::Vector2d>(graze::vec<2, double>{5, 6}) == Eigen::Vector2d(5, 6));
+}
+#endif
+#ifdef HAS_GLM
+TEST_CASE("glm") {
+    check_in_space<glm::dvec3, double>();
+    check_bits<glm::vec3, float>([](const auto& v) { return glm::vec3(v[0], v[1], v[2]); });
+    CHECK(graze::vector_like<glm::vec2>);
+    CHECK(graze::vector_as<glm::vec2>(graze::vec<2, float>{5, 6}) == glm::vec2(5, 6));
+}
+#endif
+#ifdef HAS_BULLET
+TEST_CASE("Bullet") {
+    check_in_space<btVector3, btScalar>();
+    CHECK(graze::vector_as<btVector3>(graze::vec<3, btScalar>{5, 6, 7}) == btVector3(5, 6, 7));
+}
+#endif
