@@ -36,14 +36,19 @@ template <class A, class B>
 template <ball_like B>
 [[nodiscard]] constexpr auto size_of(const B& b) {
     decltype(shape_of(b)) r{};
-    r.radius = ball_access<B>::radius(b);
+    if constexpr (requires { r.state; }) {
+        r.state.radius = ball_access<B>::radius(b);
+    } else {
+        r.radius = ball_access<B>::radius(b);
+    }
     return r;
 }
 
+// Two balls of one floating-point type, or two flights.
 template <class A, class B>
-concept plain_balls = ball_like<A> && ball_like<B> && requires(const A& a, const B& b) {
-    filter_balls(shape_of(a), shape_of(b));
-};
+concept filtered_pair = ball_like<A> && ball_like<B> && requires(const A& a, const B& b) {
+    { shape_of(a) } -> std::same_as<decltype(shape_of(b))>;
+} && std::floating_point<number_in<decltype(shape_of(std::declval<const A&>()))>>;
 
 } // namespace detail
 
@@ -52,10 +57,10 @@ template <class A, class B, class Observer = ignore_stage>
 requires foreign_pair<A, B>
 [[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const A& a, const B& b,
                                                                       Observer&& observer = {}) {
-    if constexpr (detail::plain_balls<A, B>) {
+    if constexpr (detail::filtered_pair<A, B>) {
         if (!std::is_constant_evaluated()) {
             if (detail::has_usual_size(detail::size_of(a), detail::size_of(b))) [[likely]] {
-                if (const auto f = detail::filter_balls(shape_of(a), shape_of(b)); f.certain) [[likely]] {
+                if (const auto f = detail::start_filter(shape_of(a), shape_of(b)).finish(); f.certain) [[likely]] {
                     observer(stage::filter);
                     return f.what();
                 }
