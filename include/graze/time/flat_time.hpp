@@ -19,7 +19,7 @@ template <class... S>
 template <int N>
 struct flat_row {
     vec<N, double> x, corner, u;
-    vec<N, double> edge[N == 2 ? 1 : 2];
+    vec<N, double> edge[N == 2 ? 1 : 2] = {};
     double r;
 
     template <class T>
