@@ -40,8 +40,7 @@ class due_balls {
         }
         const double latest = scene.rules().bounds(now).upper;
         for (const foreseen& f : found) {
-            if (!is_crossing(f) && f.lower <= latest && (is_due(f.a, from) || is_due(f.b, from)) &&
-                is_at(scene, f, now)) {
+            if (f.lower <= latest && (is_due(f.a, from) || is_due(f.b, from)) && is_at(scene, f, now)) {
                 mark(f.a, from, events);
                 mark(f.b, from, events);
             }

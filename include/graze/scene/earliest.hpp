@@ -1,7 +1,6 @@
 // Of what a run has foreseen, that which is exactly the earliest.
 #pragma once
 
-#include <graze/scene/event_heap.hpp>
 #include <graze/scene/moving_scene.hpp>
 
 #include <algorithm>

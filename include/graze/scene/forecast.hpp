@@ -1,15 +1,21 @@
 // What the balls of a run will do.
 #pragma once
 
-#include <graze/scene/cell_grid.hpp>
 #include <graze/scene/choices.hpp>
+#include <graze/scene/event_calendar.hpp>
+#include <graze/scene/surroundings.hpp>
 
 #include <limits>
 
 namespace graze::inline v0_1::detail {
 
-// Predictions of a moving scene, kept in a heap. A change of the scene is foreseen first, which may throw and then has
-// changed nothing here, and accepted afterwards, which does not.
+// The next event of each ball of a moving scene. A pair belongs to that ball of the two of which the flight or the list
+// changed last; a ball's plan is for the earliest of what it may do with those that belong to it, with what stands, and
+// with its shell, which it may leave. So what happens first to anyone is in some ball's plan, unless that is stale: its
+// partner has changed since, and the ball looks again when its time comes.
+//
+// A change of the scene is foreseen first, which may throw and then has changed nothing here, and accepted afterwards,
+// which does not.
 template <mechanics M>
 class forecast {
   public:
@@ -28,61 +34,64 @@ class forecast {
         for (body a = 0; a < scene_.balls(); ++a) {
             flights.push_back(about(a));
         }
-        cells_ = cell_grid<dimension>(flights, now, with_cells_);
-        heap_.clear();
+        surroundings_ = surroundings<dimension>(flights, now, {scene_.extents(), scene_.balls()}, with_cells_);
+        calendar_ = event_calendar(scene_.balls());
+        plans_.assign(scene_.balls(), {});
+        changed_.resize(scene_.balls());
+        pending_.clear();
         start_ = now;
+        for (clock_ = 0; clock_ < scene_.balls(); ++clock_) {
+            changed_[clock_] = clock_;
+        }
         for (body a = 0; a < scene_.balls(); ++a) {
-            forget();
-            predict(a, a + 1);
-            heap_.make_room(found_.size());
-            accept();
+            set(a, look_again(a, now));
         }
     }
 
-    // Foresees what ball a, whose flight has changed, will do, beside what has been foreseen since forget.
-    void foresee(body a) {
-        predict(a, 0);
-        heap_.make_room(found_.size());
-    }
+    // Foresees what ball a, whose flight has changed at a time not before `now`, will do.
+    void foresee(body a, double now) { pending_.push_back({a, look(a, now, true)}); }
     // Marks those of the events due at the time `now`, from one on, that share a ball with what has been foreseen, if
     // it is of just that time.
-    void mark_choices(const time& now, std::vector<due<time>>& events, std::size_t from) const {
+    void mark_choices(const time& now, std::vector<due<time>>& events, std::size_t from) {
+        if (from >= events.size()) {
+            return;
+        }
+        found_.clear();
+        const double latest = scene_.rules().bounds(now).upper;
+        for (const auto& p : pending_) {
+            gather(p.first, latest, true);
+        }
         due_balls_.compare(scene_, found_, now, events, from);
     }
-    void forget() noexcept {
-        found_.clear();
-        lost_.clear();
-    }
+    void forget() noexcept { pending_.clear(); }
     void accept() noexcept {
-        for (const foreseen& f : found_) {
-            heap_.push(f);
-        }
-        for (const body a : lost_) {
-            cells_.spread(a);
-        }
-        if (heap_.size() > worth_a_purge_) {
-            heap_.purge([&](const foreseen& f) { return is_stale(f); });
-            worth_a_purge_ = 2 * heap_.size() + 4 * std::size_t{scene_.balls()} + 1024;
+        surroundings_.note_event();
+        for (const auto& [a, p] : pending_) {
+            changed_[a] = ++clock_;
+            set(a, p);
         }
     }
 
-    // Fills events with all of exactly the earliest time, in canonical order, and takes them out. False if there is
-    // none.
+    // Fills events with all of exactly the earliest time, in canonical order. False if there is none.
     bool take_earliest(std::vector<due<time>>& events) {
         events.clear();
         nearest_.clear();
+        taken_.clear();
         try {
             double limit = std::numeric_limits<double>::max();
-            while (heap_.has_top([&](const foreseen& f) { return is_stale(f); }) && heap_.top().lower <= limit) {
-                const foreseen f = heap_.top();
-                if (is_stale(f)) {
-                    heap_.pop();
-                } else if (is_crossing(f)) {
-                    cross();
+            for (body a = calendar_.earliest(); a != no_body && calendar_.when(a) <= limit; a = calendar_.earliest()) {
+                const plan& p = plans_[a];
+                if (p.is_to_leave()) {
+                    renew(a);
+                } else if (is_stale(p)) {
+                    set(a, look_again(a, p.lower));
                 } else {
-                    nearest_.push_back({f, *scene_.meet(f.a, f.b)});
-                    heap_.pop();
-                    limit = std::min(limit, scene_.rules().bounds(nearest_.back().when).upper);
+                    add_nearest(a, p, limit);
+                    if (taken_.empty() && calendar_.is_only_until(limit)) {
+                        break;
+                    }
+                    taken_.push_back(a);
+                    calendar_.remove(a);
                 }
             }
             put_in_order(nearest_);
@@ -91,132 +100,181 @@ class forecast {
             put_first_standing_first(scene_, events);
         } catch (...) {
             events.clear();
-            return_nearest(events);
+            return_taken();
             throw;
         }
-        return_nearest(events);
+        return_taken();
         return !events.empty();
     }
 
   private:
-    [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
+    static constexpr double never = std::numeric_limits<double>::max();
 
-    // What a and b will do, if anything, goes into found_.
-    void offer(body a, body b) {
-        if (b < a) {
-            std::swap(a, b);
-        }
-        if (scene_.have_just_met(a, b)) {
-            return;
-        }
-        if (const std::optional<time> when = scene_.meet(a, b)) {
-            const time_bounds bounds = scene_.rules().bounds(*when);
-            const bool is_past = bounds.upper < start_; // of mirrors, whose flights began before
-            if (bounds.lower < std::numeric_limits<double>::max() && !is_past) { // else never, or not a number
-                const std::uint32_t count_b = b < scene_.balls() ? scene_.count(b) : 0;
-                found_.push_back({bounds.lower, a, b, scene_.count(a), count_b});
-            }
-        }
+    // The ball meets b not before lower; without b, it leaves its shell then. contested: it may meet another one before
+    // it certainly meets b. upper: the latest for what it meets.
+    struct plan {
+        double lower = never;
+        double upper = never;
+        body b = no_body;
+        std::uint32_t count_b = 0;
+        bool contested = false;
+
+        [[nodiscard]] bool is_to_leave() const noexcept { return b == no_body; }
+    };
+
+    [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
+    void set(body a, const plan& p) noexcept {
+        plans_[a] = p;
+        calendar_.schedule(a, p.lower);
     }
-    // Offers a to those that `those` passes on, but for what comes before `from`: first all of them are fetched from
-    // memory, which is far away when there are many balls, and then one after the other is looked at.
+    [[nodiscard]] bool is_stale(const plan& p) const noexcept {
+        return p.b < scene_.balls() && scene_.count(p.b) != p.count_b;
+    }
+    [[nodiscard]] std::uint32_t count(body b) const noexcept { return b < scene_.balls() ? scene_.count(b) : 0; }
+
+    // Around when a and b meet; never, if they don't or it is certainly later than `latest`.
+    [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, double latest) const {
+        constexpr time_bounds none{never, never};
+        if (scene_.have_just_met(a, b)) {
+            return none;
+        }
+        const time_bounds bounds = b < a ? scene_.meet_until(b, a, latest) : scene_.meet_until(a, b, latest);
+        // not a number, or of mirrors, whose flights began before
+        return bounds.lower < never && !(bounds.upper < start_) ? bounds : none;
+    }
+    // f(b) for those whom a may meet in its shell and who belong to it: all of them, if it has changed.
     template <class F>
-    void offer_each(body a, body from, F those) {
-        neighbours_.clear();
-        those([&](body b) {
-            if (b >= from) {
-                scene_.fetch(b);
-                neighbours_.push_back(b);
+    void for_each_own(body a, std::span<const body> list, bool has_changed, F f) const {
+        const auto each = [&](body b) {
+            if (has_changed || b >= scene_.balls() || changed_[b] < changed_[a]) {
+                f(b);
+            }
+        };
+        std::for_each(list.begin(), list.end(), each);
+        const auto far = surroundings_.everywhere();
+        std::for_each(far.begin(), far.end(), [&](body b) {
+            if (b != a) {
+                each(b);
             }
         });
-        for (const body b : neighbours_) {
-            offer(a, b);
-        }
     }
-    void offer_standing(body a) {
-        for (body b = scene_.balls(); b < scene_.bodies(); ++b) {
-            offer(a, b);
-        }
-    }
-    void expect(int level, body a, const face_crossing& c) {
-        if (c.step != 0) {
-            found_.push_back({c.when, a, crossing_of(level), scene_.count(a), 0});
-        }
-    }
-    // Everything that ball a will do with others, those before `from` left out. A ball that the cells lose is offered
-    // to everyone from then on.
-    void predict(body a, body from) {
-        bool lost = false;
-        if (!cells_.is_everywhere(a)) {
-            const auto f = about(a);
-            for (int level = cells_.first_level(a); level < cells_.levels(); ++level) {
-                const auto c = cells_.next_crossing(level, a, f);
-                lost = lost || !cells_.resolves(level, c, f);
-                expect(level, a, c);
+    template <class F>
+    void for_each_other(body a, bool has_changed, F f) const {
+        for (body b = 0; b < scene_.bodies(); ++b) {
+            if (b != a && (has_changed || b >= scene_.balls() || changed_[b] < changed_[a])) {
+                f(b);
             }
         }
-        if (lost) {
-            lost_.push_back(a);
-            offer_everyone(a);
+    }
+    template <class F>
+    void for_each_own(body a, bool has_changed, F f) const {
+        if (surroundings_.is_everywhere(a)) {
+            for_each_other(a, has_changed, f);
         } else {
-            offer_each(a, from, [&](auto take) { cells_.around(a, take); });
+            for_each_own(a, surroundings_.of(a), has_changed, f);
         }
-        offer_standing(a);
     }
-    void offer_everyone(body a) {
-        for (body b = 0; b < scene_.balls(); ++b) {
-            if (b != a) {
-                offer(a, b);
+
+    // The earliest of a's own, as `each` passes them on, until it leaves its shell at `end`.
+    template <class Each>
+    [[nodiscard]] plan earliest_of(body a, double end, Each each) const {
+        plan p{never, end};
+        double second = never;
+        each([&](body b) {
+            if (const time_bounds bounds = when(a, b, p.upper); bounds.lower < never) {
+                second = std::min(second, std::max(p.lower, bounds.lower));
+                if (bounds.lower < p.lower) {
+                    p.lower = bounds.lower;
+                    p.b = b;
+                }
+                p.upper = std::min(p.upper, bounds.upper);
             }
-        }
-    }
-
-    [[nodiscard]] bool is_stale(const foreseen& f) const noexcept {
-        return scene_.is_stale(f) || (is_crossing(f) && cells_.is_everywhere(f.a));
-    }
-
-    // The ball of the heap's top moves on to the next cell.
-    void cross() {
-        const foreseen f = heap_.top();
-        const int level = level_of(f);
-        const auto flight_a = about(f.a);
-        const auto crossed = cells_.next_crossing(level, f.a, flight_a);
-        const auto next = cells_.next_crossing(level, f.a, flight_a, crossed);
-        forget();
-        if (cells_.resolves(level, next, flight_a)) {
-            offer_each(f.a, 0, [&](auto take) { cells_.ahead(level, f.a, crossed, take); });
-            expect(level, f.a, next);
+        });
+        if (p.upper < end || end == never) {
+            p.contested = second <= p.upper && second < never;
+            p.count_b = p.b < scene_.bodies() ? count(p.b) : 0;
         } else {
-            lost_.push_back(f.a);
-            offer_everyone(f.a);
+            p.lower = std::min(p.lower, end);
+            p.b = no_body;
         }
-        heap_.make_room(found_.size() + nearest_.size());
-        heap_.pop();
-        cells_.cross(level, f.a, crossed);
-        accept();
+        return p;
+    }
+    [[nodiscard]] plan look(body a, double now, bool has_changed) const {
+        const shell_end<dimension> end = surroundings_.end(a, about(a), now);
+        if (!end.known) { // it will have none
+            return {now, never};
+        }
+        return earliest_of(a, end.when, [&](auto f) { for_each_own(a, has_changed, f); });
+    }
+    [[nodiscard]] plan look_again(body a, double now) const { return look(a, now, false); }
+
+    // Gives ball a another shell. Where it is not certain that it leaves that one after what it meets, a wider one.
+    void renew(body a) {
+        const double now = plans_[a].lower;
+        const auto f = about(a);
+        double more = 0;
+        for (int tries = 0; tries < 4 && surroundings_.look_around(a, f, now, more); ++tries) {
+            const double end = surroundings_.fresh_end(f, now);
+            const plan p = earliest_of(a, end, [&](auto meet) { for_each_own(a, surroundings_.fresh(), true, meet); });
+            if (!p.is_to_leave() || p.lower == end) {
+                surroundings_.make_room(a);
+                surroundings_.settle(a);
+                changed_[a] = ++clock_;
+                set(a, p);
+                return;
+            }
+            double speed = 0;
+            for (int i = 0; i < dimension; ++i) {
+                speed += std::fabs(f.state.velocity[i]);
+            }
+            more += 4 * speed * (p.upper - now);
+        }
+        const plan p = earliest_of(a, never, [&](auto meet) { for_each_other(a, true, meet); });
+        surroundings_.spread(a);
+        changed_[a] = ++clock_;
+        set(a, p);
     }
 
-    // What is not among the events goes back, for which there is room: it came from there.
-    void return_nearest(const std::vector<due<time>>& events) noexcept {
-        auto taken = events.begin();
-        for (const auto& d : nearest_) {
-            if (taken != events.end() && is_of_same_bodies(taken->what, d.what)) {
-                ++taken;
-            } else {
-                heap_.push(d.what);
+    // What a may meet until `latest`, into found_.
+    void gather(body a, double latest, bool has_changed) {
+        for_each_own(a, has_changed, [&](body b) {
+            if (const time_bounds bounds = when(a, b, latest); bounds.lower <= latest && bounds.lower < never) {
+                const body x = std::min(a, b), y = std::max(a, b);
+                found_.push_back({bounds.lower, x, y, scene_.count(x), count(y)});
             }
+        });
+    }
+    void add_nearest(body a, const plan& p, double& limit) {
+        found_.clear();
+        if (p.contested) {
+            gather(a, std::min(limit, p.upper), false);
+        } else {
+            const body x = std::min(a, p.b), y = std::max(a, p.b);
+            found_.push_back({p.lower, x, y, scene_.count(x), count(y)});
+        }
+        for (const foreseen& f : found_) {
+            nearest_.push_back({f, *scene_.meet(f.a, f.b)});
+            limit = std::min(limit, scene_.rules().bounds(nearest_.back().when).upper);
+        }
+    }
+    void return_taken() noexcept {
+        for (const body a : taken_) {
+            calendar_.schedule(a, plans_[a].lower);
         }
     }
 
     moving_scene<M> scene_;
-    cell_grid<dimension> cells_;
-    event_heap heap_;
+    surroundings<dimension> surroundings_;
+    event_calendar calendar_;
+    std::vector<plan> plans_;
+    std::vector<std::uint64_t> changed_; // when a ball's flight or list has changed, counted by clock_
+    std::uint64_t clock_ = 0;
     bool with_cells_;
-    double start_ = 0;                 // of the predictions
-    std::size_t worth_a_purge_ = 1024; // so many entries of the heap
-    std::vector<foreseen> found_;      // this and the next stand here so that an event allocates nothing
+    double start_ = 0;                           // of the predictions
+    std::vector<std::pair<body, plan>> pending_; // this and what follows stand here so that an event allocates nothing
+    std::vector<foreseen> found_;
     std::vector<due<time>> nearest_;
-    std::vector<body> neighbours_, lost_;
+    std::vector<body> taken_;
     due_balls due_balls_;
 };
 

@@ -1,7 +1,7 @@
 // Balls whose events among themselves never end.
 #pragma once
 
-#include <graze/scene/event_heap.hpp>
+#include <graze/scene/body.hpp>
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <graze/formula/plane_crossing.hpp>
 #include <graze/formula/wall_features.hpp>
-#include <graze/scene/event_heap.hpp>
+#include <graze/scene/body.hpp>
 #include <graze/scene/shift.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // On which side of planes and walls a point is.
 #pragma once
 
-#include <graze/scene/event_heap.hpp>
+#include <graze/scene/body.hpp>
 
 #include <algorithm>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/formula/contact.hpp>
-#include <graze/scene/event_heap.hpp>
+#include <graze/scene/body.hpp>
 #include <graze/shape/flight.hpp>
 
 #include <algorithm>

@@ -7,6 +7,8 @@
 #include <graze/scene/mover.hpp>
 #include <graze/scene/points.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace graze::inline v0_1::detail {
@@ -61,10 +63,13 @@ class moving_scene {
     }
 
     // Whether the two have just met: neither has had another event since, and both fly straight, so that they part.
-    // What meets an immovable ball changes nothing for that ball.
+    // What meets an immovable ball changes nothing for that ball; it meets what stands once.
     [[nodiscard]] bool have_just_met(body a, body b) const noexcept {
+        if (b >= balls() && movers_[a].immovable) {
+            return std::find(passed_.begin(), passed_.end(), std::pair(a, b)) != passed_.end();
+        }
         const auto turned = [&](body x, body y) { return !movers_[x].immovable && movers_[x].last != y; };
-        return b < balls() ? !turned(a, b) && !turned(b, a) && (movers_[a].last == b || movers_[b].last == a)
+        return b < balls() ? (movers_[a].last == b || movers_[b].last == a) && !turned(a, b) && !turned(b, a)
                            : movers_[a].last == b;
     }
 
@@ -85,6 +90,21 @@ class moving_scene {
             throw std::domain_error(to_string(named(a, b)) + ": " + e.what());
         }
     }
+
+    // Around when a and b meet, a < b; from the largest double on if they don't, or if that is certainly later than
+    // `latest` and the mechanics says so.
+    [[nodiscard, gnu::always_inline]] time_bounds meet_until(body a, body b, double latest) const {
+        if constexpr (requires { mechanics_.meet_until(movers_[a].state, movers_[b].state, latest); }) {
+            if (b < balls()) {
+                return mechanics_.meet_until(movers_[a].state, movers_[b].state, latest);
+            }
+        }
+        const std::optional<time> when = meet(a, b);
+        constexpr double never = std::numeric_limits<double>::max();
+        return when ? mechanics_.bounds(*when) : time_bounds{never, never};
+    }
+    // Where planes and walls are.
+    [[nodiscard]] std::vector<standing_extent<dimension>> extents() const { return standing_.extents(mechanics_); }
 
     // Which plane or wall a point meets first of those that it meets at exactly this time; no_body for a ball.
     [[nodiscard]] body first_standing(body a, const time& when) const {
@@ -124,13 +144,15 @@ class moving_scene {
         mover<state> ball;
         std::uint32_t count;
         std::optional<point_among<M>> point;
+        std::size_t passed;
     };
     [[nodiscard]] memory remember(body a) const {
-        return {movers_[a], counts_[a], is_watched(a) ? std::optional(points_[a]) : std::nullopt};
+        return {movers_[a], counts_[a], is_watched(a) ? std::optional(points_[a]) : std::nullopt, passed_.size()};
     }
     void restore(body a, memory& m) noexcept {
         movers_[a] = std::move(m.ball);
         counts_[a] = m.count;
+        passed_.resize(m.passed);
         if (m.point) {
             points_[a] = std::move(*m.point);
         }
@@ -147,6 +169,9 @@ class moving_scene {
         const bool flies_on = movers_[a].immovable && is_same_flight(f, g);
         movers_[a].state = std::move(other);
         movers_[a].last = flies_on ? movers_[a].last : no_body;
+        if (!flies_on) {
+            std::erase_if(passed_, [&](const auto& p) { return p.first == a; });
+        }
     }
 
   private:
@@ -168,6 +193,9 @@ class moving_scene {
             points_[a].bounce(mechanics_, standing_, x.state, b, when, alone);
         } else {
             standing_.with(b, [&](const auto& s) { mechanics_.bounce(x.state, s, when); });
+            if (x.immovable) {
+                passed_.emplace_back(a, b);
+            }
         }
         x.last = b;
         counts_[a] += x.immovable ? 0 : 1;
@@ -185,8 +213,9 @@ class moving_scene {
     standing_parts<M> standing_;
     std::vector<int> ball_names_;
     std::vector<mover<state>> movers_;
-    std::vector<std::uint32_t> counts_;  // beside one another, for they are asked of far more than flights are
-    std::vector<point_among<M>> points_; // if there are any and something that they can meet
+    std::vector<std::uint32_t> counts_;         // beside one another, for they are asked of far more than flights are
+    std::vector<std::pair<body, body>> passed_; // immovable balls, and what stands that they have met
+    std::vector<point_among<M>> points_;        // if there are any and something that they can meet
 };
 
 } // namespace graze::inline v0_1::detail

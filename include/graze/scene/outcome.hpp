@@ -24,8 +24,8 @@ struct run_limits {
     bool stop_jams = false;
 };
 
-// Whether balls are offered to their neighbours in a grid of cells, where there are enough of them, or to everyone. A
-// sequence of events does not depend on it. [cell_grid.hpp]
+// Whether balls are offered to their neighbours in shells, or to everyone. A
+// sequence of events does not depend on it. [surroundings.hpp]
 enum class cells { where_useful, none };
 
 // time: every event up to the time asked for has been done. events: so many have been. exhausted: nothing more will

@@ -215,7 +215,7 @@ class run {
         changed.forecast_.forget();
         for (const body b : jam) {
             if (is_ball(b) && !scene()[b].immovable) {
-                changed.forecast_.foresee(b);
+                changed.forecast_.foresee(b, now_);
             }
         }
         changed.forecast_.accept();
@@ -245,11 +245,12 @@ class run {
         try {
             changing.bounce(a, b, d.when, !d.chosen);
             forecast_.forget();
-            if (!changing[a].immovable) {
-                forecast_.foresee(a);
+            const double now = scene().rules().bounds(d.when).lower;
+            if (!two || !changing[a].immovable) {
+                forecast_.foresee(a, now);
             }
             if (two && !changing[b].immovable) {
-                forecast_.foresee(b);
+                forecast_.foresee(b, now);
             }
             forecast_.mark_choices(d.when, due_, next_ + 1);
         } catch (...) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/formula/wall_features.hpp>
-#include <graze/scene/event_heap.hpp>
+#include <graze/scene/body.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <graze/formula/plane_crossing.hpp>
+#include <graze/scene/body.hpp>
 #include <graze/scene/canonical_order.hpp>
-#include <graze/scene/event_heap.hpp>
 #include <graze/scene/mechanics.hpp>
 #include <graze/scene/meeting.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/shift.hpp>
+#include <graze/scene/standing_cells.hpp>
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -55,6 +57,15 @@ class standing_parts {
         const std::size_t i = b - first_;
         return i < planes_.size() ? meeting{partner::plane, ball, plane_names_[i]}
                                   : meeting{partner::wall, ball, wall_names_[i - planes_.size()]};
+    }
+
+    // Where each of them is.
+    [[nodiscard]] std::vector<standing_extent<dimension>> extents(const M& m) const {
+        std::vector<standing_extent<dimension>> result;
+        for (body b = begin(); b < end(); ++b) {
+            result.push_back(with(b, [&](const auto& s) { return extent_of(m, s); }));
+        }
+        return result;
     }
 
     // A place, over a positive number.
@@ -132,6 +143,40 @@ class standing_parts {
     }
 
   private:
+    using extent = standing_extent<dimension>;
+
+    [[nodiscard]] static vec<dimension, double> in_doubles(const M& m, const vec<dimension, number>& x) {
+        return m.about(m.start({x, x, number(0), number(1)})).state.position;
+    }
+    [[nodiscard]] static extent endless(const vec<dimension, double>& point, const vec<dimension, double>& n) {
+        constexpr double far = std::numeric_limits<double>::max();
+        return {make_vec<dimension>([](int) { return -far; }), make_vec<dimension>([](int) { return far; }), point, n};
+    }
+    [[nodiscard]] static extent extent_of(const M& m, const plane<dimension, number>& p) {
+        return endless(in_doubles(m, p.point), in_doubles(m, p.normal));
+    }
+    template <class W>
+    [[nodiscard]] static extent extent_of(const M& m, const W& w) {
+        const auto corner = in_doubles(m, w.corner);
+        std::array<vec<dimension, double>, dimension - 1> edge;
+        std::transform(w.edge.begin(), w.edge.end(), edge.begin(), [&](const auto& e) { return in_doubles(m, e); });
+        extent x{corner, corner, corner, face_normal(edge)};
+        double largest = 1;
+        for (const auto& e : edge) {
+            largest *= graze::squared_norm(e);
+        }
+        if (!(graze::squared_norm(x.n) > 0x1p-60 * largest)) { // parallel edges, or doubles can't tell
+            return endless(corner, {});
+        }
+        for (const auto& e : edge) {
+            for (int i = 0; i < dimension; ++i) {
+                x.low.component[i] += std::min(e[i], 0.0);
+                x.high.component[i] += std::max(e[i], 0.0);
+            }
+        }
+        return x;
+    }
+
     [[nodiscard]] vec<dimension, exact> normal_of(const M& m, body b) const {
         return with(b, [&](const auto& s) {
             if constexpr (requires { s.edge; }) {

@@ -1,0 +1,189 @@
+// When each ball of a run has its next event, the earliest first.
+#pragma once
+
+#include <graze/scene/body.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// One instant a ball. The near future is cut into buckets of like length, each a list of the balls that are due in it;
+// of the bucket at hand there is a heap, which is small, and what is later than all buckets waits in one more list.
+// When the buckets are used up they are laid anew over what waits. All of it is in no order but the heap's, so that
+// an instant is changed in a few steps, however many balls there are.
+//
+// A bucket is found by a function of the time that rounding leaves monotonic, computed in one place: what is in an
+// earlier bucket is not later.
+class event_calendar {
+  public:
+    explicit event_calendar(body balls = 0)
+        : entries_(balls), heads_(std::max<std::size_t>(16, balls / 4) + 1, no_body) {
+        heap_.reserve(balls);
+    }
+
+    // Nothing is scheduled at or after the largest double.
+    void schedule(body a, double when) noexcept {
+        entry& e = entries_[a];
+        const bool is_in_heap = e.where == in_heap;
+        if (e.where != nowhere && !is_in_heap) {
+            unlink(a);
+        }
+        e.when = when;
+        if (!(when < never)) {
+            if (is_in_heap) {
+                take_out(a);
+            }
+            e.where = nowhere;
+            return;
+        }
+        const std::uint32_t bucket = bucket_of(when);
+        if (bucket > current_) {
+            if (is_in_heap) {
+                take_out(a);
+            }
+            link(a, bucket);
+        } else if (is_in_heap) {
+            move(e.next, {when, a});
+        } else {
+            e.where = in_heap;
+            heap_.push_back({when, a}); // for which there is room
+            move(static_cast<std::uint32_t>(heap_.size() - 1), {when, a});
+        }
+    }
+    void remove(body a) noexcept { schedule(a, never); }
+
+    // The ball whose instant is the earliest, or no_body.
+    [[nodiscard]] body earliest() noexcept {
+        while (heap_.empty()) {
+            if (current_ + 1 < waiting()) {
+                distribute(++current_);
+            } else if (!lay_buckets()) {
+                return no_body;
+            }
+        }
+        return heap_.front().second;
+    }
+    // Whether nobody but the earliest is due until a time. False where that is not known without a longer search.
+    [[nodiscard]] bool is_only_until(double time) const noexcept {
+        const double second = heap_.size() > 2   ? std::min(heap_[1].first, heap_[2].first)
+                              : heap_.size() > 1 ? heap_[1].first
+                                                 : never;
+        return second > time && bucket_of(time) <= current_;
+    }
+    [[nodiscard]] double when(body a) const noexcept { return entries_[a].when; }
+
+  private:
+    static constexpr double never = std::numeric_limits<double>::max();
+    static constexpr std::uint32_t nowhere = 0xffffffffU;
+    static constexpr std::uint32_t in_heap = 0xfffffffeU;
+
+    // where: a bucket, or one of these. next: in the heap, its place there.
+    struct entry {
+        double when = never;
+        std::uint32_t next = 0;
+        std::uint32_t previous = 0;
+        std::uint32_t where = nowhere;
+    };
+    using instant = std::pair<double, body>;
+
+    [[nodiscard]] std::uint32_t waiting() const noexcept { return static_cast<std::uint32_t>(heads_.size() - 1); }
+    [[nodiscard, gnu::noinline]] std::uint32_t bucket_of(double when) const noexcept {
+        const double x = (when - start_) * per_time_;
+        return !(x < static_cast<double>(waiting())) ? waiting() : x > 0 ? static_cast<std::uint32_t>(x) : 0;
+    }
+
+    void link(body a, std::uint32_t bucket) noexcept {
+        entry& e = entries_[a];
+        e.where = bucket;
+        e.previous = no_body;
+        e.next = std::exchange(heads_[bucket], a);
+        if (e.next != no_body) {
+            entries_[e.next].previous = a;
+        }
+    }
+    void unlink(body a) noexcept {
+        const entry& e = entries_[a];
+        (e.previous == no_body ? heads_[e.where] : entries_[e.previous].next) = e.next;
+        if (e.next != no_body) {
+            entries_[e.next].previous = e.previous;
+        }
+    }
+
+    void put(std::uint32_t at, const instant& x) noexcept {
+        heap_[at] = x;
+        entries_[x.second].next = at;
+    }
+    // Puts x, of which a copy may be at `from`, where it belongs when what was at `from` is no longer there.
+    void move(std::uint32_t from, instant x) noexcept {
+        std::uint32_t at = from;
+        for (; at > 0 && x.first < heap_[(at - 1) / 2].first; at = (at - 1) / 2) {
+            put(at, heap_[(at - 1) / 2]);
+        }
+        const auto size = static_cast<std::uint32_t>(heap_.size());
+        while (at >= from && 2 * at + 1 < size) {
+            std::uint32_t child = 2 * at + 1;
+            child += child + 1 < size && heap_[child + 1].first < heap_[child].first ? 1 : 0;
+            if (!(heap_[child].first < x.first)) {
+                break;
+            }
+            put(at, heap_[child]);
+            at = child;
+        }
+        put(at, x);
+    }
+    void take_out(body a) noexcept {
+        const std::uint32_t at = entries_[a].next;
+        const instant last = heap_.back();
+        heap_.pop_back();
+        if (at < heap_.size()) {
+            move(at, last);
+        }
+    }
+    // Schedules all of a list anew.
+    void distribute(std::uint32_t bucket) noexcept {
+        for (body a = std::exchange(heads_[bucket], no_body); a != no_body;) {
+            const body next = entries_[a].next;
+            entries_[a].where = nowhere;
+            schedule(a, entries_[a].when);
+            a = next;
+        }
+    }
+    // Over what waits, so that the first buckets hold about one each, by a sample of the first quarter. False if
+    // nothing does.
+    [[nodiscard]] bool lay_buckets() noexcept {
+        std::array<double, 128> sample{};
+        std::size_t taken = 0;
+        const std::size_t stride = entries_.size() / sample.size() + 1;
+        if (heads_[waiting()] == no_body) {
+            return false;
+        }
+        sample[taken++] = entries_[heads_[waiting()]].when;
+        for (std::size_t i = 0; i < entries_.size() && taken < sample.size(); i += stride) {
+            if (entries_[i].where != nowhere) {
+                sample[taken++] = entries_[i].when;
+            }
+        }
+        const auto quarter = sample.begin() + static_cast<std::ptrdiff_t>(taken / 4);
+        std::nth_element(sample.begin(), quarter, sample.begin() + static_cast<std::ptrdiff_t>(taken));
+        start_ = *std::min_element(sample.begin(), quarter + 1);
+        const double length = (*quarter - start_) * 4 / static_cast<double>(heads_.size());
+        per_time_ = length > 0x1p-1000 ? 1 / length : 0x1p1000;
+        current_ = 0;
+        distribute(waiting());
+        return true;
+    }
+
+    std::vector<entry> entries_;
+    std::vector<body> heads_; // of the buckets, and of what waits
+    std::vector<instant> heap_;
+    double start_ = -never, per_time_ = 1; // of the first bucket; so many buckets
+    std::uint32_t current_ = 0;            // what is in this bucket or before is in the heap
+};
+
+} // namespace graze::inline v0_1::detail

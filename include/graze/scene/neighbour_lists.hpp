@@ -1,0 +1,111 @@
+// For each ball of a run, those that it may meet while it is in its shell.
+#pragma once
+
+#include <graze/scene/body.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// A neighbour, in whole periods from where it is: packed, a byte for each axis.
+using image_code = std::uint32_t;
+
+// Lists of bodies, in one piece of memory. Balls that are in each other's lists are so both ways. image: which of a
+// body's images it is, where there are any. What changes lists neither allocates nor throws after make_room.
+class neighbour_lists {
+  public:
+    neighbour_lists() = default;
+    neighbour_lists(body balls, bool with_images) : lists_(balls), with_images_(with_images) {}
+
+    [[nodiscard]] std::span<const body> of(body a) const noexcept {
+        return {bodies_.data() + lists_[a].first, lists_[a].size};
+    }
+    // Of the i-th in a's list.
+    [[nodiscard]] image_code image(body a, std::size_t i) const noexcept {
+        return with_images_ ? images_[lists_[a].first + i] : 0;
+    }
+
+    void make_room(body a, std::size_t more) {
+        const list& l = lists_[a];
+        if (l.size + more > l.capacity) {
+            move(a, std::bit_ceil(std::max<std::size_t>(least, l.size + more)));
+        }
+    }
+    void add(body a, body b, image_code image) noexcept {
+        list& l = lists_[a];
+        bodies_[l.first + l.size] = b;
+        if (with_images_) {
+            images_[l.first + l.size] = image;
+        }
+        ++l.size;
+    }
+    void remove(body a, body b) noexcept {
+        list& l = lists_[a];
+        for (std::uint32_t i = 0; i < l.size;) {
+            if (bodies_[l.first + i] != b) {
+                ++i;
+                continue;
+            }
+            --l.size;
+            bodies_[l.first + i] = bodies_[l.first + l.size];
+            if (with_images_) {
+                images_[l.first + i] = images_[l.first + l.size];
+            } else {
+                return;
+            }
+        }
+    }
+    void clear(body a) noexcept { lists_[a].size = 0; }
+
+  private:
+    static constexpr std::size_t least = 8;
+    struct list {
+        std::size_t first = 0;
+        std::uint32_t size = 0, capacity = 0;
+    };
+
+    void move(body a, std::size_t capacity) {
+        std::vector<std::size_t>& spare = spare_[static_cast<std::size_t>(std::countr_zero(capacity))];
+        list& l = lists_[a];
+        if (l.capacity > 0) {
+            auto& left = spare_[static_cast<std::size_t>(std::countr_zero(l.capacity))];
+            left.reserve(std::max(left.size() + 1, 2 * left.capacity() * (left.size() == left.capacity() ? 1 : 0)));
+        }
+        std::size_t first = bodies_.size();
+        if (spare.empty()) {
+            if (with_images_) {
+                images_.resize(first + capacity);
+            }
+            bodies_.resize(first + capacity);
+        } else {
+            first = spare.back();
+            spare.pop_back();
+        }
+        const auto copy = [&](auto& pool) {
+            std::copy_n(pool.begin() + static_cast<std::ptrdiff_t>(l.first), l.size,
+                        pool.begin() + static_cast<std::ptrdiff_t>(first));
+        };
+        copy(bodies_);
+        if (with_images_) {
+            copy(images_);
+        }
+        if (l.capacity > 0) {
+            spare_[static_cast<std::size_t>(std::countr_zero(l.capacity))].push_back(l.first);
+        }
+        l.first = first;
+        l.capacity = static_cast<std::uint32_t>(capacity);
+    }
+
+    std::vector<list> lists_;
+    std::vector<body> bodies_;
+    std::vector<image_code> images_;
+    std::array<std::vector<std::size_t>, 33> spare_; // pieces that lists have grown out of, by their lengths' logarithm
+    bool with_images_ = false;
+};
+
+} // namespace graze::inline v0_1::detail

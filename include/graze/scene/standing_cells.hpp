@@ -1,0 +1,185 @@
+// Which planes and walls are near a point.
+#pragma once
+
+#include <graze/linear/vec.hpp>
+#include <graze/scene/body.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// Where something stands, in doubles: in a box, and in the plane through `point` with the normal n. Each number is
+// within 2^-50 of what it stands for, relatively.
+template <int N>
+struct standing_extent {
+    vec<N, double> low, high, point, n;
+};
+
+// The planes and walls numbered from `first` on. Planes are looked at one by one; walls that are many are in a grid of
+// cells over all of them.
+template <int N>
+class standing_cells {
+  public:
+    using point = vec<N, double>;
+
+    standing_cells() = default;
+    standing_cells(std::vector<standing_extent<N>> extents, body first) : parts_(std::move(extents)), first_(first) {
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            standing_extent<N>& p = parts_[i];
+            double largest = 0;
+            for (int k = 0; k < N; ++k) {
+                largest = std::max(largest, std::fabs(p.n[k]));
+            }
+            for (int k = 0; k < N; ++k) {
+                const double off = 0x1p-44 * (std::fabs(p.low[k]) + std::fabs(p.high[k]));
+                p.n.component[k] /= largest;
+                p.low.component[k] -= off;
+                p.high.component[k] += off;
+            }
+            (is_bounded(p) ? bounded_ : endless_).push_back(static_cast<body>(i));
+        }
+        if (bounded_.size() > 8) {
+            lay_cells();
+        }
+    }
+
+    // f(b) for all that may be within `reach` of x, each once.
+    template <class F>
+    void around(const point& x, double reach, F f) const {
+        const auto look = [&](body i) {
+            if (is_near(parts_[i], x, reach)) {
+                f(first_ + i);
+            }
+        };
+        std::for_each(endless_.begin(), endless_.end(), look);
+        if (along_ == 0) {
+            std::for_each(bounded_.begin(), bounded_.end(), look);
+            return;
+        }
+        place low, high;
+        for (int k = 0; k < N; ++k) {
+            const double wide = 1.001 * reach + 0x1p-44 * std::fabs(x[k]);
+            low[static_cast<std::size_t>(k)] = cell_along(x[k] - wide, k);
+            high[static_cast<std::size_t>(k)] = cell_along(x[k] + wide, k);
+        }
+        for_each_cell(low, high, [&](const place& c, std::size_t cell) {
+            for (std::size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+                const body b = inside_[i];
+                bool is_first = true; // of the cells that both share
+                for (int k = 0; k < N; ++k) {
+                    const auto axis = static_cast<std::size_t>(k);
+                    is_first = is_first && c[axis] == std::max(low[axis], cell_along(parts_[b].low[k], k));
+                }
+                if (is_first) {
+                    look(b);
+                }
+            }
+        });
+    }
+
+  private:
+    static constexpr double endless = std::numeric_limits<double>::max();
+    using place = std::array<std::size_t, N>;
+
+    [[nodiscard]] static bool is_bounded(const standing_extent<N>& p) noexcept { return p.high[0] < endless; }
+    // False if for certain it is not. Boxes are wider than they have to be by more than they are rounded. The product
+    // with n, of which no component is above 1, is right to 2^-47 of the sum of all numbers in it.
+    [[nodiscard]] static bool is_near(const standing_extent<N>& p, const point& x, double reach) noexcept {
+        double far = reach;
+        bool inside = true;
+        for (int k = 0; k < N; ++k) {
+            far += std::fabs(x[k]) + std::fabs(p.point[k]);
+            const double wide = 1.001 * reach + 0x1p-44 * std::fabs(x[k]);
+            inside = inside && !(x[k] + wide < p.low[k]) && !(x[k] - wide > p.high[k]);
+        }
+        const double height = std::fabs(graze::dot(x - p.point, p.n));
+        return inside && !(height > (reach + 0x1p-44 * far) * (1.0000001 * std::sqrt(graze::squared_norm(p.n))));
+    }
+
+    [[nodiscard]] std::size_t cell_along(double x, int axis) const noexcept {
+        const double c = (x - low_[axis]) * per_length_[axis];
+        const auto last = static_cast<double>(along_ - 1);
+        return !(c > 0) ? 0 : c < last ? static_cast<std::size_t>(c) : along_ - 1;
+    }
+    template <class F>
+    void for_each_cell(const place& low, const place& high, F f) const {
+        place c = low;
+        while (true) {
+            std::size_t cell = 0;
+            for (std::size_t k = 0; k < N; ++k) {
+                cell = cell * along_ + c[k];
+            }
+            f(c, cell);
+            std::size_t axis = 0;
+            while (axis < N && c[axis] == high[axis]) {
+                c[axis] = low[axis];
+                ++axis;
+            }
+            if (axis == N) {
+                return;
+            }
+            ++c[axis];
+        }
+    }
+    template <class F>
+    void for_each_entry(F f) const {
+        for (const body b : bounded_) {
+            place low, high;
+            for (int k = 0; k < N; ++k) {
+                low[static_cast<std::size_t>(k)] = cell_along(parts_[b].low[k], k);
+                high[static_cast<std::size_t>(k)] = cell_along(parts_[b].high[k], k);
+            }
+            for_each_cell(low, high, [&](const place&, std::size_t cell) { f(b, cell); });
+        }
+    }
+    // About as many cells as walls, or fewer where many walls are wide.
+    void lay_cells() {
+        low_ = parts_[bounded_.front()].low;
+        point high = parts_[bounded_.front()].high;
+        for (const body b : bounded_) {
+            for (int k = 0; k < N; ++k) {
+                low_.component[k] = std::min(low_[k], parts_[b].low[k]);
+                high.component[k] = std::max(high[k], parts_[b].high[k]);
+            }
+        }
+        const double side = std::pow(static_cast<double>(bounded_.size()), 1.0 / N);
+        for (along_ = static_cast<std::size_t>(side) + 1; along_ > 1; along_ /= 2) {
+            for (int k = 0; k < N; ++k) {
+                const double length = high[k] - low_[k];
+                const double cells = static_cast<double>(along_) / length;
+                per_length_.component[k] = length > 0 && cells < endless ? cells : 0;
+            }
+            std::size_t entries = 0;
+            for_each_entry([&](body, std::size_t) { ++entries; });
+            if (entries <= 16 * bounded_.size()) {
+                break;
+            }
+        }
+        std::size_t cells = 1;
+        for (int k = 0; k < N; ++k) {
+            cells *= along_;
+        }
+        starts_.assign(cells + 2, 0);
+        for_each_entry([&](body, std::size_t cell) { ++starts_[cell + 2]; });
+        for (std::size_t i = 2; i < starts_.size(); ++i) {
+            starts_[i] += starts_[i - 1];
+        }
+        inside_.resize(starts_.back());
+        for_each_entry([&](body b, std::size_t cell) { inside_[starts_[cell + 1]++] = b; });
+    }
+
+    std::vector<standing_extent<N>> parts_;
+    std::vector<body> endless_, bounded_;
+    body first_ = 0;
+    std::size_t along_ = 0; // so many cells along each axis
+    point low_{}, per_length_{};
+    std::vector<std::size_t> starts_; // of each cell in the following
+    std::vector<body> inside_;
+};
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,49 @@
+// Around when two flights meet, for those who look for the earliest of many events.
+#pragma once
+
+#include <graze/time/time_of_flights.hpp>
+
+namespace graze::inline v0_1::detail {
+
+// Doubles between which the time of two flights lies; from the largest double on when they
+// don't meet, or when they certainly don't until `latest`, which most pairs are found out by before any root is taken.
+// Throws as classify does.
+//
+// From the later start on for a time T the quadratic a t² + 2ht + c is, for h < 0, at least c + 2hT: where that is
+// positive nothing is met. Of the values here, with the filter's scales L and V = √a, the error of c is at most K_c L²,
+// that of 2hT at most 2T K_h L V <= K_h (L² + a T²). T itself is rounded once, by 2^-52 of it, and so is each of the
+// products and the sum: 2^-52 (2|h|T + 3 (|c| + 2|h|T)) <= 2^-52 (7 L² + 4 a T²), since |c| <= L² and 2|h|T <= 2LVT <=
+// L² + a T². 2^-48 in place of 7 2^-52 covers the roundings of the bound.
+template <int N, class T>
+[[nodiscard, gnu::flatten]] timed_enclosure bounds_until(const flight<N, T>& a, const flight<N, T>& b, double latest) {
+    constexpr timed_enclosure none{enclosure::unknown, enclosure::unknown};
+    using constant = flight_filter<N, T>;
+    const auto m = rounded_motion(a, b);
+    const started_filter<T, constant> f(m.motion, m.length2);
+    if (all_hold(f.in_range, m.in_range, plain_radii(a.state.radius, b.state.radius))) [[likely]] {
+        if (f.is_parting()) {
+            return none;
+        }
+        const auto start = static_cast<double>(as_stored(a.since < b.since ? b.since : a.since));
+        const double left = latest - start;
+        constexpr double k = constant::c + constant::h + 0x1p-48;
+        if (f.q.c + 2 * f.q.h * left > k * (f.length2 + f.q.a * (left * left))) {
+            return none;
+        }
+        const filtered_balls found = f.finish();
+        if (found.certain) [[likely]] {
+            const encounter what = found.what();
+            if (!is_collision(what)) {
+                return none;
+            }
+            const enclosure bounds = enclosure_of_flights<N, T>(found, what);
+            if (bounds.is_known()) [[likely]] {
+                return counted_from<T>(start, bounds);
+            }
+        }
+    }
+    const auto exactly = time_of_impact_exactly(a, b);
+    return exactly ? exactly->enclosure() : none;
+}
+
+} // namespace graze::inline v0_1::detail

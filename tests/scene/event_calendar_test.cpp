@@ -1,0 +1,60 @@
+// The calendar names the earliest ball, wherever its instant waited, and loses none.
+#include <graze/scene/event_calendar.hpp>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <limits>
+#include <map>
+#include <random>
+
+TEST_CASE("the earliest ball is one of the earliest instant, after any changes") {
+    CHECK(rc::check([] {
+        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        const auto instants = *rc::gen::element<std::uint64_t>(1, 20, 1U << 30); // few: ties everywhere
+        const auto balls = *rc::gen::element<graze::detail::body>(1, 2, 70, 400);
+        const double never = std::numeric_limits<double>::max();
+        graze::detail::event_calendar calendar(balls);
+        std::map<graze::detail::body, double> expected;
+        double now = 0;
+        const auto schedule = [&](graze::detail::body a, double when) {
+            calendar.schedule(a, when);
+            if (when < never) {
+                expected[a] = when;
+            } else {
+                expected.erase(a);
+            }
+        };
+        for (int round = 0; round < 3000; ++round) {
+            const auto a = static_cast<graze::detail::body>(random() % balls);
+            const auto kind = random() % 16;
+            const double unit = kind == 0 ? 1e9 : kind == 1 ? -1 : 1;
+            schedule(a, kind == 2 ? never : now + unit * static_cast<double>(random() % instants));
+            if (random() % 4 == 0) {
+                const auto first = calendar.earliest();
+                RC_ASSERT((first == graze::detail::no_body) == expected.empty());
+                if (!expected.empty()) {
+                    double least = never;
+                    for (const auto& e : expected) {
+                        least = std::min(least, e.second);
+                    }
+                    RC_ASSERT(expected.count(first) == 1);
+                    RC_ASSERT(expected[first] == least);
+                    RC_ASSERT(calendar.when(first) == least);
+                    now = std::max(now, least);
+                    schedule(first, random() % 2 == 0 ? never : now + static_cast<double>(random() % instants));
+                }
+            }
+        }
+        while (!expected.empty()) {
+            const auto first = calendar.earliest();
+            RC_ASSERT(expected.count(first) == 1);
+            for (const auto& e : expected) {
+                RC_ASSERT(expected[first] <= e.second);
+            }
+            calendar.remove(first);
+            expected.erase(first);
+        }
+        RC_ASSERT(calendar.earliest() == graze::detail::no_body);
+    }));
+}

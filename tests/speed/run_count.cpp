@@ -1,0 +1,75 @@
+// graze-run-count: a fluid of 500 hard spheres that has melted for 10 events a ball, and so many events of it, for a
+// program that counts instructions. [count_run.cmake]
+#include <graze/number/floating.hpp>
+#include <graze/scene/exact_mechanics.hpp>
+#include <graze/scene/plain_mechanics.hpp>
+#include <graze/scene/run.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <numbers>
+#include <random>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+struct fluid {
+    std::vector<graze::ball<3>> balls;
+    std::vector<graze::plane<3>> planes;
+};
+
+// Balls of diameter 1 on a face-centred lattice of side^3 cells between six planes, of which they fill that part.
+fluid lattice(int side, double packing) {
+    std::mt19937_64 random(1);
+    fluid f;
+    const int count = 4 * side * side * side;
+    const double length = std::cbrt(count * std::numbers::pi / 6 / packing);
+    const double spacing = (length - 1) / (2 * side - 1) * (1 - 0x1p-30);
+    for (int i = 0; i < 8 * side * side * side; ++i) {
+        const int site[3] = {i % (2 * side), i / (2 * side) % (2 * side), i / (4 * side * side)};
+        if ((site[0] + site[1] + site[2]) % 2 == 0) {
+            graze::ball<3> b{};
+            for (int axis = 0; axis < 3; ++axis) {
+                b.position[axis] = 0.5 + spacing * site[axis];
+                b.velocity[axis] = static_cast<double>(static_cast<std::int64_t>(random() >> 43) - (1 << 20)) * 0x1p-20;
+            }
+            b.radius = 0.5;
+            f.balls.push_back(b);
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        graze::plane<3> p{};
+        p.normal[axis] = 1;
+        f.planes.push_back(p);
+        p.point[axis] = length;
+        f.planes.push_back(p);
+    }
+    return f;
+}
+
+template <class M>
+void run(const fluid& f, std::uint64_t events) {
+    graze::run<M> run(graze::scene<3>{f.balls, f.planes, {}});
+    const auto done = run.advance({.events = 10 * f.balls.size() + events});
+    std::cout << done.events << " events, then " << to_string(done.why) << '\n';
+}
+
+} // namespace
+
+// graze-run-count packing events exact|plain
+int main(int argc, char** argv) {
+    if (argc != 4) {
+        std::cerr << "graze-run-count packing events exact|plain\n";
+        return 2;
+    }
+    const fluid f = lattice(5, std::atof(argv[1]));
+    const std::uint64_t events = std::strtoull(argv[2], nullptr, 10);
+    if (std::string_view(argv[3]) == "plain") {
+        run<graze::plain_mechanics<3, double>>(f, events);
+    } else {
+        run<graze::exact_mechanics<3>>(f, events);
+    }
+}
