@@ -91,9 +91,10 @@ verdict clear_between(Of of, const certified& from, const certified& to, bool to
     const std::optional<int> arriving = last.slope.certain_sign();
     if (arriving && *arriving <= 0) { // it shrinks to what it is at the end
         const std::optional<int> end = last.value.certain_sign();
-        return end ? (*end >= 0    ? verdict::clear
-                      : order == 1 ? verdict::crossed
-                                   : verdict::open)
+        const bool shrinks = *arriving < 0 || leaving == -1 || first.value.certain_sign() == 1;
+        return end ? (*end >= 0               ? verdict::clear
+                      : order == 1 && shrinks ? verdict::crossed
+                                              : verdict::open)
                    : (touches_at_end ? verdict::clear : verdict::open);
     }
     if (!leaving || !arriving || order != 1) {
@@ -138,7 +139,8 @@ verdict clear_after(Of of, const certified& from) {
             return clear_between(of, from, from + length, false);
         }
         if (leaving && beyond == -1) {
-            return of(from).slope.certain_sign().value_or(-1) >= 0 ? verdict::clear : verdict::crossed;
+            const std::optional<int> at_start = of(from).slope.certain_sign();
+            return !at_start ? verdict::open : *at_start >= 0 ? verdict::clear : verdict::crossed;
         }
     }
     return verdict::open;

@@ -4,6 +4,7 @@
 #include <graze/scene/moving_scene.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -43,16 +44,24 @@ template <mechanics M>
 }
 
 // Where M cannot tell the order of some: one before which there is certainly no other comes first, with those that are
-// certainly of its time. What may be earlier but shares no ball with it is as well done later. Throws M's undecided
-// where the order matters.
+// certainly of its time. What may be earlier but shares no ball with it is as well done later, if it happens at all:
+// what has no last time may not. Throws M's undecided where the order matters, or whether two meet.
 template <mechanics M>
 void select_earliest_known(const moving_scene<M>& scene, const std::vector<due<typename M::time>>& nearest,
                            std::vector<due<typename M::time>>& earliest) {
+    const auto is_open = [&](std::size_t i) { return std::isinf(scene.rules().bounds(nearest[i].when).upper); };
     const auto order = [&](std::size_t i, std::size_t j, bool matters) -> std::optional<int> {
         try {
             return i == j ? 0 : scene.rules().order(nearest[i].when, nearest[j].when);
         } catch (graze::undecided& e) {
             const foreseen &x = nearest[i].what, &y = nearest[j].what;
+            for (const std::size_t k : {i, j}) {
+                if (matters && is_open(k)) {
+                    graze::undecided unsettled("whether they meet", scene.rules().bounds(nearest[k].when).lower);
+                    unsettled.between(scene.named(nearest[k].what.a, nearest[k].what.b));
+                    throw unsettled;
+                }
+            }
             if (matters && share_a_ball(scene, x, y)) {
                 e.between(scene.named(x.a, x.b), scene.named(y.a, y.b));
                 throw;
