@@ -42,6 +42,11 @@ TEST_CASE("a point meets what the oracle says, and what balls beside it meet") {
     compare_scenes<3, true>();
 }
 
+TEST_CASE("a point is not turned back by the tip of a wall beside which it has come") {
+    // Found by the soak: its position rounds to just that tip.
+    CHECK(fault_beside_balls<2>(any_point_scene<2>(2'012'954, true), 12, nullptr) == "");
+}
+
 TEST_CASE("at a T-junction a point bounces off the floor alone, as its neighbours do") {
     for (const double x : {0.0, 0x1p-20, -0x1p-20}) {
         const point_scene<2> s{{{{{x, 1}}, {{1, -1}}, 0, 1}}, {{{{0, 0}}, {{{{2, 0}}}}}, {{{1, 0}}, {{{{0, -1}}}}}}};

@@ -12,11 +12,11 @@ template <mechanics M, class S>
     return m.side(x, s) * side <= 0;
 }
 
-// The side of b on which a point belongs that was at `before`, on the kept side of b, and at that time has become x; 0
-// where it is on that side, or has come past b.
+// The side of b on which a point belongs that was at `before`, on the kept side of b, and at that time has met `met`,
+// or a ball, and become x; 0 where it is on that side, or has come past b.
 template <mechanics M>
 [[nodiscard]] int side_lost(const M& m, const standing_parts<M>& standing, const typename M::state& before,
-                            const typename M::state& x, const typename M::time& when, body b, int kept) {
+                            const typename M::state& x, const typename M::time& when, body met, body b, int kept) {
     return standing.with(b, [&](const auto& s) {
         const int heading = m.heading(before, s);
         if constexpr (!M::rounds) { // it is where it was, if it has slid along b
@@ -33,8 +33,15 @@ template <mechanics M>
                 const int passed = m.order(when, m.reach(before, s));
                 side = passed > 0 ? -side : passed < 0 ? side : 0; // beside b, whose plane it may just have reached
             }
-            return side != 0 && m.side(x, s) != side && standing.is_at(m, b, standing.crossing(m, b, x, before)) ? side
-                                                                                                                 : 0;
+            if (side == 0 || m.side(x, s) == side || !standing.is_at(m, b, standing.crossing(m, b, x, before))) {
+                return 0;
+            }
+            // Where it comes back to b's plane from where it really met that may be beside b.
+            const bool comes_back = met != no_body && m.heading(x, s) * side < 0;
+            return !comes_back ||
+                           standing.is_at(m, b, standing.crossing(m, b, standing.crossing(m, met, before, before), x))
+                       ? side
+                       : 0;
         }
     });
 }

@@ -196,12 +196,12 @@ class point_among {
         if constexpr (M::rounds) {
             for (body b = standing.begin(); b < standing.end(); ++b) {
                 if (is_elsewhere(b)) {
-                    kept_.keep(b, side_lost(m, standing, before, x, when, b, kept_.of(b)));
+                    kept_.keep(b, side_lost(m, standing, before, x, when, met, b, kept_.of(b)));
                 }
             }
         } else {
             kept_.keep_if([&](body b, int side) {
-                return !is_elsewhere(b) || side_lost(m, standing, before, x, when, b, side) != 0;
+                return !is_elsewhere(b) || side_lost(m, standing, before, x, when, met, b, side) != 0;
             });
         }
     }

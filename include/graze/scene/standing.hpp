@@ -75,15 +75,17 @@ class standing_parts {
     };
     // Where the straight way through x along the velocity of u crosses the plane of b; x, if it never does.
     [[nodiscard]] place crossing(const M& m, body b, const state& x, const state& u) const {
-        const auto position = exactly(m, x.state.position);
+        return crossing(m, b, place{exactly(m, x.state.position), exact(1)}, u);
+    }
+    [[nodiscard]] place crossing(const M& m, body b, const place& x, const state& u) const {
         const auto velocity = exactly(m, u.state.velocity);
         const auto n = normal_of(m, b);
         const exact speed = graze::dot(velocity, n);
-        const exact height = graze::dot(position - point_of(m, b), n);
+        const exact height = graze::dot(x.sum - x.over * point_of(m, b), n);
         const int sign = graze::sign(speed);
-        return sign == 0  ? place{position, exact(1)}
-               : sign < 0 ? place{height * velocity - speed * position, -speed}
-                          : place{speed * position - height * velocity, speed};
+        return sign == 0  ? x
+               : sign < 0 ? place{height * velocity - speed * x.sum, -speed * x.over}
+                          : place{speed * x.sum - height * velocity, speed * x.over};
     }
     // Whether b, its borders included, is at a place in its plane; or below a place beside that.
     [[nodiscard]] bool is_at(const M& m, body b, const place& x) const {
