@@ -45,9 +45,13 @@ template std::optional<float> round_fast<float>(const event<3, float>&, double, 
 template std::optional<double> round_fast<double>(const event<2, double>&, double, rounding) noexcept;
 template std::optional<double> round_fast<double>(const event<3, double>&, double, rounding) noexcept;
 template std::optional<impact_time<2, float>> time_of_overlap(const ball<2, float>&, const ball<2, float>&);
+template std::optional<impact_time<2, float>> time_of_overlap(const flight<2, float>&, const flight<2, float>&);
 template std::optional<impact_time<3, float>> time_of_overlap(const ball<3, float>&, const ball<3, float>&);
+template std::optional<impact_time<3, float>> time_of_overlap(const flight<3, float>&, const flight<3, float>&);
 template std::optional<impact_time<2, double>> time_of_overlap(const ball<2, double>&, const ball<2, double>&);
+template std::optional<impact_time<2, double>> time_of_overlap(const flight<2, double>&, const flight<2, double>&);
 template std::optional<impact_time<3, double>> time_of_overlap(const ball<3, double>&, const ball<3, double>&);
+template std::optional<impact_time<3, double>> time_of_overlap(const flight<3, double>&, const flight<3, double>&);
 template std::optional<impact_time<2, float>> time_of_impact_exactly(const ball<2, float>&, const ball<2, float>&);
 template std::optional<impact_time<3, float>> time_of_impact_exactly(const ball<3, float>&, const ball<3, float>&);
 template std::optional<impact_time<2, double>> time_of_impact_exactly(const ball<2, double>&, const ball<2, double>&);
@@ -76,57 +80,63 @@ template std::optional<impact_time<2, double>> time_of_flat_slowly(const ball<2,
                                                                    const flat_answer&);
 template std::optional<impact_time<3, double>> time_of_flat_slowly(const ball<3, double>&, const wall<3, double>&,
                                                                    const flat_answer&);
-template further_impact<2, float> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
-template further_impact<3, float> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
-template further_impact<2, double> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
-template further_impact<3, double> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
+template further_impact<ball<2, float>> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
+template further_impact<flight<2, float>> time_of_impact_further(const flight<2, float>&, const flight<2, float>&);
+template further_impact<ball<3, float>> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
+template further_impact<flight<3, float>> time_of_impact_further(const flight<3, float>&, const flight<3, float>&);
+template further_impact<ball<2, double>> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
+template further_impact<flight<2, double>> time_of_impact_further(const flight<2, double>&, const flight<2, double>&);
+template further_impact<ball<3, double>> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
+template further_impact<flight<3, double>> time_of_impact_further(const flight<3, double>&, const flight<3, double>&);
 template float round_further<float>(const event<2, float>&, rounding);
 template float round_further<float>(const event<3, float>&, rounding);
 template double round_further<double>(const event<2, double>&, rounding);
 template double round_further<double>(const event<3, double>&, rounding);
-template int compare_exactly(const flight_event<2, float>&, const flight_event<2, float>&);
-template int compare_exactly(const flight_event<3, float>&, const flight_event<3, float>&);
-template int compare_exactly(const flight_event<2, double>&, const flight_event<2, double>&);
-template int compare_exactly(const flight_event<3, double>&, const flight_event<3, double>&);
-template int compare_exactly(const flight_event<2, float>&, const binary&);
-template int compare_exactly(const flight_event<3, float>&, const binary&);
-template int compare_exactly(const flight_event<2, double>&, const binary&);
-template int compare_exactly(const flight_event<3, double>&, const binary&);
-template float round_exactly<float>(const flight_event<2, float>&, rounding);
-template float round_exactly<float>(const flight_event<3, float>&, rounding);
-template double round_exactly<double>(const flight_event<2, double>&, rounding);
-template double round_exactly<double>(const flight_event<3, double>&, rounding);
-template std::optional<flight_time<2, float>> time_of_impact_exactly(const flight<2, float>&, const flight<2, float>&);
-template std::optional<flight_time<3, float>> time_of_impact_exactly(const flight<3, float>&, const flight<3, float>&);
-template std::optional<flight_time<2, double>> time_of_impact_exactly(const flight<2, double>&,
+template std::optional<impact_time<2, float>> time_of_impact_exactly(const flight<2, float>&, const flight<2, float>&);
+template std::optional<impact_time<3, float>> time_of_impact_exactly(const flight<3, float>&, const flight<3, float>&);
+template std::optional<impact_time<2, double>> time_of_impact_exactly(const flight<2, double>&,
                                                                       const flight<2, double>&);
-template std::optional<flight_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
+template std::optional<impact_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
                                                                       const flight<3, double>&);
-template flight_time<2, float> enclosed_exactly(flight_event<2, float>);
-template flight_time<3, float> enclosed_exactly(flight_event<3, float>);
-template flight_time<2, double> enclosed_exactly(flight_event<2, double>);
-template flight_time<3, double> enclosed_exactly(flight_event<3, double>);
 
 template parts fast_contact(contact<2, float>&, encounter, const ball<2, float>&, const ball<2, float>&, double, double,
                             double) noexcept;
+template parts fast_contact(contact<2, float>&, encounter, const flight<2, float>&, const flight<2, float>&, double,
+                            double, double) noexcept;
 template parts fast_contact(contact<3, float>&, encounter, const ball<3, float>&, const ball<3, float>&, double, double,
                             double) noexcept;
+template parts fast_contact(contact<3, float>&, encounter, const flight<3, float>&, const flight<3, float>&, double,
+                            double, double) noexcept;
 template parts fast_contact(contact<2, double>&, encounter, const ball<2, double>&, const ball<2, double>&, double,
                             double, double) noexcept;
+template parts fast_contact(contact<2, double>&, encounter, const flight<2, double>&, const flight<2, double>&, double,
+                            double, double) noexcept;
 template parts fast_contact(contact<3, double>&, encounter, const ball<3, double>&, const ball<3, double>&, double,
+                            double, double) noexcept;
+template parts fast_contact(contact<3, double>&, encounter, const flight<3, double>&, const flight<3, double>&, double,
                             double, double) noexcept;
 template void complete(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
 template void complete(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
 template void complete(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
 template void complete(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
-template completed_contact<2, float> collide_further(const ball<2, float>&, const ball<2, float>&);
-template completed_contact<3, float> collide_further(const ball<3, float>&, const ball<3, float>&);
-template completed_contact<2, double> collide_further(const ball<2, double>&, const ball<2, double>&);
-template completed_contact<3, double> collide_further(const ball<3, double>&, const ball<3, double>&);
+template completed_contact<ball<2, float>> collide_further(const ball<2, float>&, const ball<2, float>&);
+template completed_contact<flight<2, float>> collide_further(const flight<2, float>&, const flight<2, float>&);
+template completed_contact<ball<3, float>> collide_further(const ball<3, float>&, const ball<3, float>&);
+template completed_contact<flight<3, float>> collide_further(const flight<3, float>&, const flight<3, float>&);
+template completed_contact<ball<2, double>> collide_further(const ball<2, double>&, const ball<2, double>&);
+template completed_contact<flight<2, double>> collide_further(const flight<2, double>&, const flight<2, double>&);
+template completed_contact<ball<3, double>> collide_further(const ball<3, double>&, const ball<3, double>&);
+template completed_contact<flight<3, double>> collide_further(const flight<3, double>&, const flight<3, double>&);
 template stage complete_further(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
+template stage complete_further(contact<2, float>&, parts, encounter, const flight<2, float>&, const flight<2, float>&);
 template stage complete_further(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
+template stage complete_further(contact<3, float>&, parts, encounter, const flight<3, float>&, const flight<3, float>&);
 template stage complete_further(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
+template stage complete_further(contact<2, double>&, parts, encounter, const flight<2, double>&,
+                                const flight<2, double>&);
 template stage complete_further(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
+template stage complete_further(contact<3, double>&, parts, encounter, const flight<3, double>&,
+                                const flight<3, double>&);
 template void complete(ball_and_plane<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
                        const plane<2, float>&);
 template void complete(ball_and_plane<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,

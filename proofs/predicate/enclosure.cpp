@@ -16,7 +16,7 @@ static_assert(apart({1, 0.5}, {2, 0.25}) && apart({1, 0.25}, {2, 0.5}), "both er
 static_assert(together({1, 0.875}, {2, 0.25}) && together({1, 0.25}, {2, 0.875}), "both errors count");
 
 static_assert(together(now, now) && apart(now, {0.5, 0.25}) && together(now, {0.25, 0.25}));
-static_assert(now.is_zero() && !enclosure{0, 0x1p-1074}.is_zero() && !enclosure{0x1p-1074, 0}.is_zero());
+static_assert(now.is_point() && enclosure{1, 0}.is_point() && !enclosure{0, 0x1p-1074}.is_point());
 
 // An enclosure with an unknown error is apart from none.
 static_assert(!enclosure{}.is_known() && now.is_known());

@@ -58,7 +58,9 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
                                 : graze::detail::bound_hit<false>(a, b, mass_a, mass_b, time, take);
     s.answered += fused && dekker ? 1 : 0;
     graze::contact<N, T> x;
-    const graze::detail::contact_by_doubles<N, T> task{x, a, b, mass_a, mass_b, time, overlap};
+    graze::detail::rounded_components<N, T> rounded{x};
+    const graze::detail::contact_by_doubles<graze::detail::rounded_components<N, T>, graze::ball<N, T>> task{
+        rounded, a, b, mass_a, mass_b, time, overlap};
     const auto judge = [&](parts open_parts) {
         for (int number = 0; number < static_cast<int>(components); ++number) {
             if ((open_parts >> number & 1U) == 0 && (number == 0 || (number - 1) % 3 < N)) {
@@ -68,8 +70,12 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
         }
     };
     if (!heavy_a && !heavy_b) {
-        judge(~task(std::false_type{}));
-        judge(~task(std::true_type{}));
+        const auto open = [&](auto fused_products) {
+            rounded.certain = 0;
+            return task(fused_products) ? ~rounded.certain : ~parts{0};
+        };
+        judge(open(std::false_type{}));
+        judge(open(std::true_type{}));
     }
     const parts open_parts = graze::detail::fast_contact(x, overlap ? graze::encounter::overlap : graze::encounter::hit,
                                                          a, b, mass_a, mass_b, time);

@@ -48,7 +48,7 @@ std::vector<std::uint64_t> said_of(const std::vector<pair>& pairs) {
             number(x);
         }
     };
-    std::optional<graze::flight_time<3>> last;
+    std::optional<graze::impact_time<3>> last;
     for (const pair& p : pairs) {
         const auto found = flight_answers::of(p.a, p.b);
         said.push_back(static_cast<std::uint64_t>(found.what) * 2 + (found.overlaps ? 1 : 0));

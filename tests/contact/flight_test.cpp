@@ -130,7 +130,7 @@ TEST_CASE("Contacts of flights are correctly rounded") {
         CAPTURE(which);
         CHECK(seen.contacts > 10);
         if (which == 2) { // full doubles
-            CHECK(seen.by_doubles == seen.hits);
+            CHECK(seen.by_doubles >= seen.hits);
         }
         MESSAGE(which << ": " << seen.contacts << " contacts, " << seen.by_doubles << " by doubles alone, " << seen.ties
                       << " with a tie");

@@ -13,8 +13,52 @@ using namespace bounds;
 
 namespace {
 
+// Keeps what is bounded, by its number, and in which units.
+struct kept {
+    graze::detail::bounded<double> found[16];
+    graze::detail::parts known = 0;
+    int what = graze::detail::undecided;
+    int length = 0, velocity = 0;
+
+    void operator()(const graze::detail::bounded<double>& x, int number) {
+        found[number] = x;
+        known |= 1U << number;
+    }
+    void operator()(const graze::detail::bounded<graze::detail::lanes>& x, int first, int second) {
+        (*this)(graze::detail::bounded<double>{x.high[0], x.low[0], x.error[0]}, first);
+        (*this)(graze::detail::bounded<double>{x.high[1], x.low[1], x.error[1]}, second);
+    }
+};
+
+// In words, with fused products or without, scaled where that is needed.
+template <bool Fused, class B>
+kept in_words(const B& a, const B& b, double mass_a, double mass_b) {
+    kept k;
+    const auto run = [&](const B& x, const B& y) {
+        const auto task = graze::detail::contact_in_words<kept, B>{k, x, y, mass_a, mass_b};
+        const auto answer = [&] {
+            if constexpr (Fused) {
+                return graze::detail::with_best_products(task);
+            } else {
+                return task(std::false_type{});
+            }
+        }();
+        k.what = answer.what;
+        return answer.in_range;
+    };
+    if (!graze::detail::has_usual_size(a, b) || !run(a, b)) {
+        const auto s = graze::detail::scaled(a, b);
+        k.length = s.length;
+        k.velocity = s.velocity;
+        if (!s.known || !run(s.a, s.b)) {
+            k.what = graze::detail::undecided;
+        }
+    }
+    return k;
+}
+
 struct seen {
-    int pairs = 0, decided = 0, meet = 0, bounded = 0, narrow = 0, wrong = 0, wrong_bounds = 0;
+    int pairs = 0, decided = 0, meet = 0, bounded = 0, narrow = 0, wrong = 0, wrong_bounds = 0, flights = 0;
 };
 
 // 2^power, exactly.
@@ -33,8 +77,7 @@ bool holds(const graze::detail::bounded<double>& x, int scale, const oracle::sur
 }
 
 template <int N>
-void judge(seen& s, const graze::detail::further_contact& r, const oracle::answer& met,
-           const std::array<oracle::surd, components>& truth) {
+void judge(seen& s, const kept& r, const oracle::answer& met, const std::array<oracle::surd, components>& truth) {
     if (r.what == graze::detail::undecided) {
         return;
     }
@@ -44,12 +87,12 @@ void judge(seen& s, const graze::detail::further_contact& r, const oracle::answe
     if (!hit && met.what != oracle::encounter::overlap) {
         return;
     }
-    s.bounded += r.components.known != 0 ? 1 : 0;
+    s.bounded += r.known != 0 ? 1 : 0;
     bool narrow = true;
     for (int number = 0; number < static_cast<int>(components); ++number) {
         const bool is_component = number == 0 || (number - 1) % 3 < N;
-        if (is_component && (r.components.known >> number & 1U) != 0) {
-            const auto& x = r.components.found[number];
+        if (is_component && (r.known >> number & 1U) != 0) {
+            const auto& x = r.found[number];
             const int scale = number == 0   ? r.length - r.velocity
                               : number < 7  ? r.length
                               : number < 10 ? 0
@@ -58,7 +101,7 @@ void judge(seen& s, const graze::detail::further_contact& r, const oracle::answe
             narrow = narrow && (number > 9 || number < 7 || x.error < 0x1p-70);
         }
     }
-    s.narrow += r.components.known != 0 && narrow ? 1 : 0;
+    s.narrow += r.known != 0 && narrow ? 1 : 0;
 }
 
 template <int N>
@@ -80,14 +123,17 @@ void look(seen& s, const graze::ball<N, double>& a, const graze::ball<N, double>
     }
     const bool heavy_a = std::isinf(a.mass), heavy_b = std::isinf(b.mass);
     const double mass_a = heavy_a ? 1 : heavy_b ? 0 : a.mass, mass_b = heavy_b ? 1 : heavy_a ? 0 : b.mass;
-    graze::detail::further_contact r;
-    graze::detail::find_further_contact(r, a, b, mass_a, mass_b);
+    const kept r = in_words<true>(a, b, mass_a, mass_b);
     judge<N>(s, r, met, truth);
-    graze::detail::further_contact unfused;
-    const auto answer = graze::detail::contact_in_words<N>{unfused.components, a, b, mass_a, mass_b}(std::false_type{});
-    unfused.what = answer.in_range ? answer.what : graze::detail::undecided;
-    judge<N>(s, unfused, met, truth);
-    const graze::detail::further_time t = graze::detail::find_further_time(a, b);
+    judge<N>(s, in_words<false>(a, b, mass_a, mass_b), met, truth);
+    // The same as flights since 0, of an overlap without the time; they are a little less sharp.
+    kept flights = in_words<true>(graze::flight<N>{a}, graze::flight<N>{b}, mass_a, mass_b);
+    seen of_flights;
+    judge<N>(of_flights, flights, met, truth);
+    s.wrong += of_flights.wrong;
+    s.wrong_bounds += of_flights.wrong_bounds;
+    s.flights += of_flights.bounded;
+    const graze::detail::further_time t = graze::detail::find_further_time(a, b, graze::detail::tried::step);
     s.wrong += t.what == r.what ? 0 : 1;
     if (t.what == static_cast<int>(graze::encounter::hit) && t.good) {
         s.wrong_bounds += holds(t.time, t.unit, truth[0]) ? 0 : 1;
@@ -114,6 +160,7 @@ TEST_CASE("bounds hold in double words") {
             (f.name == "far" || f.name == "near_contact" || f.name == "generic")) {
             CHECK(s.decided == 2 * s.pairs);
             CHECK(s.bounded == 2 * s.meet);
+            CHECK(s.flights == s.meet);
             CHECK(s.narrow > s.bounded * 9 / 10);
         }
         MESSAGE(f.name << ": " << s.pairs << " pairs twice, " << s.decided << " decided, " << s.bounded << " of "
@@ -162,12 +209,14 @@ TEST_CASE("the widest stage of a time and of a contact") {
     };
     const auto rest = at(0, 0, 0);
     expect(stage::filter, stage::filter, at(5, 0.3, -1), rest);
-    expect(stage::filter, stage::filter, at(5, 0.3, 1), rest);                 // parting
-    expect(stage::double_word, stage::double_word, at(0x1p40, 1.1, -1), rest); // far: L²V² is 2^80
-    expect(stage::double_word, stage::double_word, at(0x1p40, 2.1, -1), rest);
-    expect(stage::double_word, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1), rest);
-    expect(stage::double_word, stage::double_word, at(0x1p20, 2 + 0x1p-20, -1), rest);
-    expect(stage::double_word, stage::double_word, at(5, 0.3, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
+    expect(stage::filter, stage::filter, at(5, 0.3, 1), rest);             // parting
+    expect(stage::refined, stage::double_word, at(0x1p40, 1.1, -1), rest); // far: L²V² is 2^80
+    expect(stage::refined, stage::double_word, at(0x1p40, 2.1, -1), rest);
+    expect(stage::refined, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1), rest);
+    expect(stage::refined, stage::double_word, at(0x1p20, 2 + 0x1p-20, -1), rest);
+    expect(stage::double_word, stage::double_word, at(0x1p49, 2 - 0x1p-6, -1), rest); // beyond doubles
+    expect(stage::filter, stage::filter, at(5, 0.3, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
+    expect(stage::double_word, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
     expect(stage::exact, stage::exact, at(5, 2, -1), rest); // a tie
     expect(stage::exact, stage::exact, at(5, 2, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
 }

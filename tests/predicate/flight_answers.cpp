@@ -1,7 +1,7 @@
 #include "flight_answers.hpp"
 
-#include <graze/contact/collide_flights.hpp>
-#include <graze/predicate/overlaps_of_flights.hpp>
+#include <graze/collide.hpp>
+#include <graze/overlaps.hpp>
 
 namespace flight_answers {
 
@@ -23,17 +23,17 @@ int sign_of(std::partial_ordering o) { return o < 0 ? -1 : o > 0 ? 1 : o == 0 ? 
 } // namespace
 
 template <int N, class T>
-int order_of(const graze::flight_time<N, T>& x, const graze::flight_time<N, T>& y, graze::stage& decided_by) {
+int order_of(const graze::impact_time<N, T>& x, const graze::impact_time<N, T>& y, graze::stage& decided_by) {
     const int sign = x.compare(y, [&](graze::stage s) { decided_by = s; });
     return (x == y) == (sign == 0) && sign_of(x <=> y) == sign ? sign : 3;
 }
 template <int N, class T>
-int order_of(const graze::flight_time<N, T>& x, const T& y) {
+int order_of(const graze::impact_time<N, T>& x, const T& y) {
     const int sign = sign_of(x <=> y);
     return (x == y) == (sign == 0) ? sign : 3;
 }
 template <int N, class T>
-rounded_time<T> rounded(const graze::flight_time<N, T>& x) {
+rounded_time<T> rounded(const graze::impact_time<N, T>& x) {
     return {static_cast<T>(x), x.lower(), x.upper()};
 }
 
@@ -41,9 +41,9 @@ rounded_time<T> rounded(const graze::flight_time<N, T>& x) {
     template answer_of<graze::flight<N, T>, N, T> of(const graze::flight<N, T>&, const graze::flight<N, T>&);          \
     template answer_of<graze::plane<N, T>, N, T> of(const graze::flight<N, T>&, const graze::plane<N, T>&);            \
     template answer_of<graze::wall<N, T>, N, T> of(const graze::flight<N, T>&, const graze::wall<N, T>&);              \
-    template int order_of(const graze::flight_time<N, T>&, const graze::flight_time<N, T>&, graze::stage&);            \
-    template int order_of(const graze::flight_time<N, T>&, const T&);                                                  \
-    template rounded_time<T> rounded(const graze::flight_time<N, T>&);
+    template int order_of(const graze::impact_time<N, T>&, const graze::impact_time<N, T>&, graze::stage&);            \
+    template int order_of(const graze::impact_time<N, T>&, const T&);                                                  \
+    template rounded_time<T> rounded(const graze::impact_time<N, T>&);
 
 GRAZE_INSTANTIATE(2, double)
 GRAZE_INSTANTIATE(3, double)

@@ -4,7 +4,7 @@
 #include "../oracle/flight.hpp"
 
 #include <graze/contact/contact.hpp>
-#include <graze/time/flight_time.hpp>
+#include <graze/time/impact_time.hpp>
 
 #include <compare>
 #include <optional>
@@ -16,7 +16,7 @@ struct answer {
     graze::encounter what{};
     bool overlaps = false;
     graze::stage decided_by = graze::stage::filter; // what
-    std::optional<graze::flight_time<N, T>> time;
+    std::optional<graze::impact_time<N, T>> time;
     std::optional<Contact> contact;
     graze::stage given_by = graze::stage::filter; // contact
 };
@@ -30,9 +30,9 @@ answer_of<B, N, T> of(const graze::flight<N, T>& a, const B& b);
 
 // The sign of the first less the second, 3 where operators contradict each other.
 template <int N, class T>
-int order_of(const graze::flight_time<N, T>& x, const graze::flight_time<N, T>& y, graze::stage& decided_by);
+int order_of(const graze::impact_time<N, T>& x, const graze::impact_time<N, T>& y, graze::stage& decided_by);
 template <int N, class T>
-int order_of(const graze::flight_time<N, T>& x, const T& y);
+int order_of(const graze::impact_time<N, T>& x, const T& y);
 
 // To nearest, downward and upward.
 template <class T>
@@ -40,6 +40,6 @@ struct rounded_time {
     T nearest, lower, upper;
 };
 template <int N, class T>
-rounded_time<T> rounded(const graze::flight_time<N, T>& x);
+rounded_time<T> rounded(const graze::impact_time<N, T>& x);
 
 } // namespace flight_answers

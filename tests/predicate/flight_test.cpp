@@ -74,7 +74,7 @@ graze::wall<N> any_wall() {
 
 template <int N>
 struct event {
-    graze::flight_time<N> time;
+    graze::impact_time<N> time;
     oracle::surd truth;
 };
 template <int N, class B>
@@ -299,11 +299,11 @@ TEST_CASE("Easy flights are decided by the filter, hard ones by integers") {
     expect(encounter::hit, stage::filter, at(0, 0, 0, 0, 3), at(9, 0.5, -1, 0, 0));
     expect(encounter::hit, stage::filter, at(9, 0.5, -1, 0, 1e6), at(-1e6, 0, 1, 0, 0)); // from far behind
     expect(encounter::hit, stage::exact, at(9, 0, -1, 0, 0), at(0, 0, 0, 0, 7)); // touching when the other starts
-    expect(encounter::overlap, stage::exact, at(9, 0, -1, 0, 0), at(0, 0, 0, 0, 7 + 0x1p-50));
+    expect(encounter::overlap, stage::double_word, at(9, 0, -1, 0, 0), at(0, 0, 0, 0, 7 + 0x1p-50));
     expect(encounter::graze, stage::exact, at(9, 2, -1, 0, 0), at(0, 0, 0, 0, 3));
     expect(encounter::graze, stage::exact, at(9, 0, -1, 0, 0, 0), at(0, 0, 0, 0, 3, 0)); // points that meet
-    expect(encounter::hit, stage::exact, at(9, 0, -1, 0, -0x1p-1074), at(0, 0, 0, 0, 0));
-    expect(encounter::hit, stage::exact, at(9, 0, -0x1p-600, 0, 0), at(0, 0, 0, 0, 0x1p600));
+    expect(encounter::hit, stage::refined, at(9, 0, -1, 0, -0x1p-1074), at(0, 0, 0, 0, 0));
+    expect(encounter::hit, stage::filter, at(9, 0, -0x1p-600, 0, 0), at(0, 0, 0, 0, 0x1p600));
     expect(encounter::overlap, stage::exact, at(9, 0, -0x1p-1074, 0, 0), at(0, 0, 0, 0, 0x1.fffp1023, 9));
     expect(encounter::recede, stage::exact, at(9, 0, 0, 0, 0), at(0, 0, 0, 0, 3));
 }

@@ -91,9 +91,9 @@ TEST_CASE("Whether two balls overlap") {
     expect_overlap(true, stage::filter, at(1, 0, 0, 9, 9, 9), rest);
     expect_overlap(false, stage::filter, at(3, 0, 0, -1, 0, 0), rest);
     expect_overlap(false, stage::exact, at(2, 0, 0, 1, 0, 0), rest);
-    expect_overlap(true, stage::exact, at(2 * down, 0, 0, 1, 0, 0), rest);
-    expect_overlap(false, stage::exact, at(2 * up, 0, 0, 1, 0, 0), rest);
-    expect_overlap(true, stage::exact, at(0x1p-600, 0, 0, 1, 0, 0, 0x1p-600), at(0, 0, 0, 0, 0, 0, 0x1p-650));
+    expect_overlap(true, stage::double_word, at(2 * down, 0, 0, 1, 0, 0), rest);
+    expect_overlap(false, stage::double_word, at(2 * up, 0, 0, 1, 0, 0), rest);
+    expect_overlap(true, stage::double_word, at(0x1p-600, 0, 0, 1, 0, 0, 0x1p-600), at(0, 0, 0, 0, 0, 0, 0x1p-650));
 }
 
 TEST_CASE("A ball and a plane") {

@@ -2,7 +2,7 @@
 // balls of one epoch.
 #include "speed.hpp"
 
-#include <graze/contact/collide_flights.hpp>
+#include <graze/collide.hpp>
 #include <graze/formula/impulse.hpp>
 
 #include <algorithm>
@@ -105,8 +105,8 @@ void register_flights() {
     });
 
     const flights& h = generic_flights(true);
-    static const std::vector<graze::flight_time<3>> kept = [&h] {
-        std::vector<graze::flight_time<3>> r;
+    static const std::vector<graze::impact_time<3>> kept = [&h] {
+        std::vector<graze::impact_time<3>> r;
         for (std::size_t i = 0; i < h.a.size(); ++i) {
             if (const auto t = graze::time_of_impact(h.a[i], h.b[i])) {
                 r.push_back(*t);

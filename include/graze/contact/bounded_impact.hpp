@@ -1,4 +1,4 @@
-// The contact of two balls from doubles, each component with a proven error.
+// The contact of two movers from doubles, each component with a proven error.
 //
 // y = Δx + Δu τ is a sum of two doubles, s = -y·Δu, and then
 //   position  x + u τ        normal  y/R        velocity  u_a + φ_a y/R,  u_b - φ_b y/R,  φ_a = 2 (s/R) m_b/(m_a + m_b)
@@ -64,39 +64,100 @@ template <bool Fused, int N, class T, class F>
     }
 }
 
-// Two balls that hit (D > 0) near `time`.
-template <bool Fused, int N, class T, class F>
-[[nodiscard, gnu::always_inline]] inline bool bound_hit(const ball<N, T>& a, const ball<N, T>& b, double mass_a,
-                                                        double mass_b, double time, F& take) noexcept {
-    const lane_motion m = lane_motion_of(a, b);
-    const auto r = approach_near<Fused>(m, time);
-    if (!(r.good && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
-        return false;
-    }
-    take(r.time(), 0);
+// Where two balls are at the contact.
+template <int N, class T, bool Fused, class F>
+[[gnu::always_inline]] inline void bound_positions(const ball<N, T>& a, const ball<N, T>& b,
+                                                   const fast_approach<Fused>& r, F& take) noexcept {
     take(bounded_position(first_two(a.position), first_two(a.velocity), r), 1, 2);
     take(bounded_position(first_two(b.position), first_two(b.velocity), r), 4, 5);
     if constexpr (N == 3) {
         take(bounded_position(last_two(a.position, b.position), last_two(a.velocity, b.velocity), r), 3, 6);
     }
+}
+
+// before + t0 + t1: a sum of two doubles, the second at most 2u of the first and |t1|, that is off by at most 3 u² of
+// the first, 2u |t1| and the error of t1, together 3 u² of it and 1.07 of that.
+template <bool Fused>
+struct lane_time {
+    factor<lanes, Fused> high;
+    double low;
+};
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline lane_time<Fused> time_since(const exact_pair<double>& before,
+                                                                     const fast_approach<Fused>& r) noexcept {
+    const auto sum = two_sum(before.value, r.t0.value[0]);
+    return {as_factor<Fused>(both(sum.value)), sum.error + (before.error + r.t1)};
+}
+
+// x + u t. The roundings are at most 3 u² |x| + |u| (11 u² t + 0.1 e), those of t 3 u² t + 1.07 e, e the error of t1.
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline bounded<lanes>
+bounded_position(const lanes& x, const lanes& u, const lane_time<Fused>& t, double error) noexcept {
+    const auto way = two_product(as_factor<Fused>(u), t.high);
+    const auto sum = two_sum(x, way.value);
+    const lanes low = (sum.error + way.error) + u * t.low;
+    const double of_time = 1.25 * error + 0x1p-102 * t.high.value[0];
+    return {sum.value, low, 0x1p-104 * absolute(x) + absolute(u) * of_time + underflow};
+}
+
+// Where two flights are, each from its own start.
+template <int N, class T, bool Fused, class F>
+[[gnu::always_inline]] inline void bound_positions(const flight<N, T>& a, const flight<N, T>& b,
+                                                   const lane_time<Fused>& time_a, const lane_time<Fused>& time_b,
+                                                   double error, F& take) noexcept {
+    const auto one = [&](const ball<N, T>& x, const lane_time<Fused>& t, int number) __attribute__((always_inline)) {
+        take(bounded_position(first_two(x.position), first_two(x.velocity), t, error), number, number + 1);
+        if constexpr (N == 3) {
+            const auto third = [](const vec<N, T>& v) { return both(static_cast<double>(as_stored(v[2]))); };
+            const auto at = bounded_position(third(x.position), third(x.velocity), t, error);
+            take(bounded<double>{at.high[0], at.low[0], at.error[0]}, number + 2);
+        }
+    };
+    one(a.state, time_a, 1);
+    one(b.state, time_b, 4);
+}
+
+// Two movers that hit (D > 0) at about `time` after their start.
+//
+// Of flights the bounds hold with the length for L, since Δx's own error, 8.1 u² of it, is a small part of what they
+// allow: y/R is off by at most (58.2 u² L + 1.87 |Δu| e)/R < 2.5 e a/σ; s by 84.1 u² L V + 1.5 V² e, relatively by 60.2
+// u² γ + 1.5 e a/σ, so that φ is by (60.2 + 71 · 0.51) u² γ + 1.5 e a/σ, and 94 u² <= 48 u² γ: in all less than 2^-98
+// γ.
+template <bool Fused, moving B, class F>
+[[nodiscard, gnu::always_inline]] inline bool bound_hit(const B& a, const B& b, double mass_a, double mass_b,
+                                                        double time, F& take) noexcept {
+    const lane_movers f = lane_movers_of<Fused>(a, b);
+    const auto r = approach_near<Fused>(f.motion, time, f.length2);
+    if (!(r.good && r.sharp && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
+        return false;
+    }
+    take(on_clock_of(a, b, r.time()), 0);
+    if constexpr (is_flight<B>) {
+        bound_positions(a, b, time_since(f.before_a, r), time_since(f.before_b, r), r.error, take);
+    } else {
+        bound_positions(a, b, r, take);
+    }
+    const lane_motion& m = f.motion;
     const lane_contact<Fused> y{
         m, r.y01, r.yR2, low_at_contact(r.y01, r.t1), low_at_contact(r.yR2, r.t1), {m.xR2.value[0], m.xR2.error[0]}};
     const auto s = closing_speed(y.y01, y.low01, y.y2, y.low2, m);
     const double turn = r.per_time * r.error;
-    bound_impact(a, b, mass_a, mass_b, y, s, 2.5 * turn, 0x1p-98 * r.sensitivity + 2 * turn, take);
+    bound_impact(state_of(a), state_of(b), mass_a, mass_b, y, s, 2.5 * turn, 0x1p-98 * r.sensitivity + 2 * turn, take);
     return true;
 }
 
-// Normal and velocities of two balls that overlap and approach.
+// Normal and velocities of two movers that overlap and approach, and where flights are when both have started.
 //
 // y = Δx exactly, |yl| <= u |yh|. The low terms of |Δx|² add up to at most 5.1 u |Δx|², with at most 6 roundings each,
 // so that it is right to 31 u², relatively. One correction of the root in doubles leaves 15.5 u² of that, 6.3 u² of the
 // next term, (7.1 u)²/8, and 8 u² of roundings: R = |Δx| is right to 30 u². The normal is then right to 8.3 u² + 4.2 u²
 // + 9.2 u² + 30 u² < 2^-100; s to 32 u² R V/s; and χ = R V/s >= 1, so that 32 u² χ + 30 u² + 71 u² + 94 u² <= 2^-98 χ².
-template <bool Fused, int N, class T, class F>
-[[nodiscard, gnu::always_inline]] inline bool bound_overlap(const ball<N, T>& a, const ball<N, T>& b, double mass_a,
-                                                            double mass_b, F& take) noexcept {
-    const lane_motion m = lane_motion_of(a, b);
+// Of flights Δx is off by 8.1 u² of the length Λ: by Λ/R times that, relatively, as is R; s by χ times that.
+template <bool Fused, moving B, class F>
+[[nodiscard, gnu::always_inline]] inline bool bound_overlap(const B& a, const B& b, double mass_a, double mass_b,
+                                                            F& take) noexcept {
+    const lane_movers f = lane_movers_of<Fused>(a, b);
+    const lane_motion& m = f.motion;
     const lane_displacement<Fused> y01{as_factor<Fused>(m.x01.value), m.x01.error, as_factor<Fused>(m.u01.value)};
     const lane_displacement<Fused> y2{as_factor<Fused>(m.xR2.value), m.xR2.error, as_factor<Fused>(m.u_2.value)};
     const auto square01 = two_square(y01.high);
@@ -116,10 +177,20 @@ template <bool Fused, int N, class T, class F>
     const double speed2 = v01[0] + v01[1] + m.u_2.value[1] * m.u_2.value[1];
     const double sensitivity = (sum.value / s.value) * (speed2 / s.value); // χ²
     if (!(within_powers<-200, 200>(sum.value) && within_powers<-200, 200>(speed2) && s.value > 0 &&
-          sensitivity < 0x1p64 && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
+          within_powers<-200, 200>(f.length2) && sensitivity < 0x1p64 && is_usable_mass(mass_a) &&
+          is_usable_mass(mass_b))) [[unlikely]] {
         return false;
     }
-    bound_impact(a, b, mass_a, mass_b, y, s, 0x1p-99, 0x1p-98 * sensitivity, take);
+    double off = 0;
+    if constexpr (is_flight<B>) {
+        off = 0x1p-102 * plain_sqrt(f.length2) / root;
+        const auto since = [](const exact_pair<double>& before) {
+            return lane_time<Fused>{as_factor<Fused>(both(before.value)), before.error};
+        };
+        bound_positions(a, b, since(f.before_a), since(f.before_b), 0, take);
+    }
+    bound_impact(state_of(a), state_of(b), mass_a, mass_b, y, s, 0x1p-99 + 3 * off, (0x1p-98 + 4 * off) * sensitivity,
+                 take);
     return true;
 }
 

@@ -9,28 +9,50 @@ namespace graze::inline v0_1::detail {
 
 extern template parts fast_contact(contact<2, float>&, encounter, const ball<2, float>&, const ball<2, float>&, double,
                                    double, double) noexcept;
+extern template parts fast_contact(contact<2, float>&, encounter, const flight<2, float>&, const flight<2, float>&,
+                                   double, double, double) noexcept;
 extern template parts fast_contact(contact<3, float>&, encounter, const ball<3, float>&, const ball<3, float>&, double,
                                    double, double) noexcept;
+extern template parts fast_contact(contact<3, float>&, encounter, const flight<3, float>&, const flight<3, float>&,
+                                   double, double, double) noexcept;
 extern template parts fast_contact(contact<2, double>&, encounter, const ball<2, double>&, const ball<2, double>&,
                                    double, double, double) noexcept;
+extern template parts fast_contact(contact<2, double>&, encounter, const flight<2, double>&, const flight<2, double>&,
+                                   double, double, double) noexcept;
 extern template parts fast_contact(contact<3, double>&, encounter, const ball<3, double>&, const ball<3, double>&,
+                                   double, double, double) noexcept;
+extern template parts fast_contact(contact<3, double>&, encounter, const flight<3, double>&, const flight<3, double>&,
                                    double, double, double) noexcept;
 extern template void complete(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
 extern template void complete(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
 extern template void complete(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
 extern template void complete(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
-extern template completed_contact<2, float> collide_further(const ball<2, float>&, const ball<2, float>&);
-extern template completed_contact<3, float> collide_further(const ball<3, float>&, const ball<3, float>&);
-extern template completed_contact<2, double> collide_further(const ball<2, double>&, const ball<2, double>&);
-extern template completed_contact<3, double> collide_further(const ball<3, double>&, const ball<3, double>&);
+extern template completed_contact<ball<2, float>> collide_further(const ball<2, float>&, const ball<2, float>&);
+extern template completed_contact<flight<2, float>> collide_further(const flight<2, float>&, const flight<2, float>&);
+extern template completed_contact<ball<3, float>> collide_further(const ball<3, float>&, const ball<3, float>&);
+extern template completed_contact<flight<3, float>> collide_further(const flight<3, float>&, const flight<3, float>&);
+extern template completed_contact<ball<2, double>> collide_further(const ball<2, double>&, const ball<2, double>&);
+extern template completed_contact<flight<2, double>> collide_further(const flight<2, double>&,
+                                                                     const flight<2, double>&);
+extern template completed_contact<ball<3, double>> collide_further(const ball<3, double>&, const ball<3, double>&);
+extern template completed_contact<flight<3, double>> collide_further(const flight<3, double>&,
+                                                                     const flight<3, double>&);
 extern template stage complete_further(contact<2, float>&, parts, encounter, const ball<2, float>&,
                                        const ball<2, float>&);
+extern template stage complete_further(contact<2, float>&, parts, encounter, const flight<2, float>&,
+                                       const flight<2, float>&);
 extern template stage complete_further(contact<3, float>&, parts, encounter, const ball<3, float>&,
                                        const ball<3, float>&);
+extern template stage complete_further(contact<3, float>&, parts, encounter, const flight<3, float>&,
+                                       const flight<3, float>&);
 extern template stage complete_further(contact<2, double>&, parts, encounter, const ball<2, double>&,
                                        const ball<2, double>&);
+extern template stage complete_further(contact<2, double>&, parts, encounter, const flight<2, double>&,
+                                       const flight<2, double>&);
 extern template stage complete_further(contact<3, double>&, parts, encounter, const ball<3, double>&,
                                        const ball<3, double>&);
+extern template stage complete_further(contact<3, double>&, parts, encounter, const flight<3, double>&,
+                                       const flight<3, double>&);
 extern template void complete(ball_and_plane<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
                               const plane<2, float>&);
 extern template void complete(ball_and_plane<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,

@@ -71,11 +71,8 @@ class exact_approach {
 
     template <class From = from_now>
     [[nodiscard]] constexpr T time(const From& counted = {}) const {
-        if constexpr (std::is_same_v<From, from_now>) {
-            return round_root_from_now<T>(quadratic_, path.discriminant, path.units.time());
-        } else {
-            return path.time(counted);
-        }
+        return counted.is_now() ? round_root_from_now<T>(quadratic_, path.discriminant, path.units.time())
+                                : path.time(counted);
     }
 
     [[nodiscard]] constexpr T normal(int i) const {

@@ -1,8 +1,9 @@
-// All components of two balls' contact, from their motion in integers.
+// All components of two movers' contact, from their motion in integers.
 #pragma once
 
 #include <graze/contact/contact.hpp>
 #include <graze/contact/exact_approach.hpp>
+#include <graze/contact/masses.hpp>
 #include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
 
@@ -17,7 +18,7 @@ struct exact_balls {
     W mass_a, mass_b;
 };
 
-// An overlap's time and positions are no matter of its.
+// Of an overlap the caller sets time and positions.
 template <int N, class T, class M, class X, class U, class W, class From = from_now>
 constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, M, X, U, W>& e,
                            scales units, const From& counted = {}) {
@@ -54,6 +55,53 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     }
     if (what == encounter::hit) {
         velocities(exact);
+    }
+}
+
+// Rounds the wanted components of the contact of two movers that meet, by integers. Of an overlap the caller sets the
+// time and the positions of those that start then.
+template <moving B, class Contact>
+[[gnu::noinline]] constexpr void complete(Contact& c, parts wanted, encounter what, const B& a, const B& b) {
+    constexpr int N = dimension_of<B>;
+    using T = number_in<B>;
+    using P = two_balls<N>;
+    timed_workspace room;
+    const auto& x = state_of(a);
+    const auto& y = state_of(b);
+    auto in = lift_timed<P>(packed<P>(x, y), epochs_of(a, b));
+    in.settle(in.unit());
+    in.use(room);
+    lifted<2> mass;
+    const T masses[2] = {effective_mass<T>(x.mass, y.mass), effective_mass<T>(y.mass, x.mass)};
+    lift(mass, masses);
+    mass.room = &room;
+    const scales units{in.pair.length.exponent, in.pair.velocity.exponent, &room};
+    const auto pair = flights_in(in);
+    const auto round_all = [&](const auto& motion, const auto& position_a, const auto& position_b, const auto& from) {
+        const exact_balls<N, std::remove_cvref_t<decltype(motion)>, big_integer, big_integer, big_integer> e{
+            motion,
+            position_a,
+            position_b,
+            pair.a.state.velocity,
+            pair.b.state.velocity,
+            mass.template get<big_integer>(0),
+            mass.template get<big_integer>(1)};
+        round_balls(c, wanted, what, e, units, from);
+    };
+    if constexpr (is_flight<B>) {
+        const auto position_a = pair.position(pair.a);
+        const auto position_b = pair.position(pair.b);
+        if (what == encounter::overlap) {
+            const auto rounded = [&](const big_integer& coordinate) {
+                return round_to<T>(coordinate, big_integer(0), radicand<big_integer>(), big_integer(1), units.length);
+            };
+            fill(c.position_a, wanted, part::position_a, &room, [&](int i) { return rounded(position_a[i]); });
+            fill(c.position_b, wanted, part::position_b, &room, [&](int i) { return rounded(position_b[i]); });
+        }
+        round_all(pair.motion(), position_a, position_b, from_earlier<big_integer>{pair.start()});
+    } else {
+        round_all(relative_motion_between(pair.a.state, pair.b.state), pair.a.state.position, pair.b.state.position,
+                  from_now{});
     }
 }
 

@@ -1,4 +1,4 @@
-// The contact of two balls rounded by doubles alone, as far as that leaves no doubt.
+// The contact of two movers rounded by doubles alone, as far as that leaves no doubt.
 #pragma once
 
 #include <graze/contact/bounded_impact.hpp>
@@ -7,11 +7,13 @@
 #include <graze/formula/encounter.hpp>
 #include <graze/machine/fused.hpp>
 
+#include <bit>
+
 namespace graze::inline v0_1::detail {
 
 // Component `number` of a contact, as parts count them.
 template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline T& component(contact<N, T>& c, int number) noexcept {
+[[nodiscard, gnu::always_inline]] constexpr inline T& component(contact<N, T>& c, int number) noexcept {
     const int i = (number - 1) % 3;
     return number == 0   ? c.time
            : number < 4  ? c.position_a[i]
@@ -71,56 +73,91 @@ struct rounded_components {
     }
 };
 
-// Fills in what doubles bound, of a hit near `time` or of an overlap, and says what is certain. Time and positions of
-// an overlap are no matter of its.
-template <int N, class T>
+// Takes what doubles bound, of a hit near `time` from the start or of an overlap, whose time and, of balls, positions
+// the caller sets. False if nothing is known.
+template <class Taker, moving B>
 struct contact_by_doubles {
-    contact<N, T>& c;
-    const ball<N, T>&a, &b;
+    Taker& taken;
+    const B &a, &b;
     double mass_a, mass_b, time;
     bool overlap;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] parts operator()(std::bool_constant<Fused>) const noexcept {
-        rounded_components<N, T> taken{c};
-        const bool known = overlap ? bound_overlap<Fused>(a, b, mass_a, mass_b, taken)
-                                   : bound_hit<Fused>(a, b, mass_a, mass_b, time, taken);
-        return known ? taken.certain : 0;
+    [[nodiscard, gnu::always_inline]] bool operator()(std::bool_constant<Fused>) const noexcept {
+        return overlap ? bound_overlap<Fused>(a, b, mass_a, mass_b, taken)
+                       : bound_hit<Fused>(a, b, mass_a, mass_b, time, taken);
     }
 };
 
-// What is open when `certain` has been filled in. The velocity of a ball of infinite mass is its own.
-template <int N, class T>
-[[nodiscard]] inline parts open_after(parts certain, contact<N, T>& c, const ball<N, T>& a, const ball<N, T>& b,
-                                      double mass_a, double mass_b, bool together = true) noexcept {
-    constexpr parts every_part = N == 3 ? 0xffffU : 0x6db7U;
-    constexpr parts of_velocity = 7;
-    if (mass_a == 0) {
-        c.velocity_b = b.velocity;
-        certain |= of_velocity << static_cast<int>(part::velocity_b);
+// All components of a contact in N dimensions; and three of one vector.
+template <int N>
+inline constexpr parts every_part = N == 3 ? 0xffffU : 0x6db7U;
+[[nodiscard]] constexpr parts three_from(part first) noexcept { return parts{7} << static_cast<int>(first); }
+
+// Writes what no arithmetic is needed for and says what that is: of an overlap the time and the positions of those that
+// start then, of a graze the velocities, and that of a ball of infinite mass, beside which the other's is 0.
+template <moving B, class Contact, class W>
+constexpr parts set_given(Contact& c, encounter what, const B& a, const B& b, const W& mass_a,
+                          const W& mass_b) noexcept {
+    const auto& x = state_of(a);
+    const auto& y = state_of(b);
+    parts given = 0;
+    if (what == encounter::graze || is_zero(mass_b)) {
+        c.velocity_a = x.velocity;
+        given |= three_from(part::velocity_a);
     }
-    if (mass_b == 0) {
-        c.velocity_a = a.velocity;
-        certain |= of_velocity << static_cast<int>(part::velocity_a);
+    if (what == encounter::graze || is_zero(mass_a)) {
+        c.velocity_b = y.velocity;
+        given |= three_from(part::velocity_b);
     }
-    const parts open_parts = every_part & ~certain;
-    return open_parts == 0 ? 0 : fill_in_at_rest(open_parts, c, a, b, together);
+    if (what == encounter::overlap) {
+        const auto since = epochs_of(a, b);
+        c.time = start_of(since);
+        given |= 1;
+        bool starts_a = true, starts_b = true;
+        if constexpr (is_flight<B>) {
+            starts_a = !is_earlier(since[0], since[1]);
+            starts_b = !is_earlier(since[1], since[0]);
+        }
+        if (starts_a) {
+            c.position_a = with_plain_zeros(x.position);
+            given |= three_from(part::position_a);
+        }
+        if (starts_b) {
+            c.position_b = with_plain_zeros(y.position);
+            given |= three_from(part::position_b);
+        }
+    }
+    return given;
+}
+
+// What is open when `certain` has been filled in.
+template <moving B, class Contact>
+[[nodiscard]] inline parts open_after(parts certain, Contact& c, encounter what, const B& a, const B& b, double mass_a,
+                                      double mass_b) noexcept {
+    constexpr int N = dimension_of<B>;
+    if (what != encounter::hit || mass_a == 0 || mass_b == 0) {
+        certain |= set_given(c, what, a, b, mass_a, mass_b);
+    }
+    const parts open_parts = every_part<N> & ~certain;
+    if (open_parts == 0) {
+        return 0;
+    }
+    bool together = true;
+    if constexpr (is_flight<B>) {
+        together = bits_of(a.since) == bits_of(b.since);
+    }
+    return fill_in_at_rest(open_parts, c, state_of(a), state_of(b), together);
 }
 
 // Fills in the components that are certain and returns the others; what: hit or overlap.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] inline parts fast_contact(contact<N, T>& c, encounter what, const ball<N, T>& a,
-                                                       const ball<N, T>& b, double mass_a, double mass_b,
-                                                       double time) noexcept {
-    constexpr parts of_motion = 0x7fU; // time and positions
-    const bool overlap = what == encounter::overlap;
-    parts certain = with_best_products(contact_by_doubles<N, T>{c, a, b, mass_a, mass_b, time, overlap});
-    if (overlap) {
-        c.position_a = with_plain_zeros(a.position);
-        c.position_b = with_plain_zeros(b.position);
-        certain |= of_motion;
-    }
-    return open_after(certain, c, a, b, mass_a, mass_b);
+template <int N, class T, moving B>
+[[nodiscard, gnu::noinline]] parts fast_contact(contact<N, T>& c, encounter what, const B& a, const B& b, double mass_a,
+                                                double mass_b, double time) noexcept {
+    rounded_components<N, T> taken{c};
+    const bool known = with_best_products(
+        contact_by_doubles<rounded_components<N, T>, B>{taken, a, b, mass_a, mass_b, time, what == encounter::overlap});
+    return open_after(known ? taken.certain : 0, c, what, a, b, mass_a, mass_b);
 }
 
 } // namespace graze::inline v0_1::detail

@@ -4,7 +4,7 @@
 // of the time. proofs/contact/parts.cpp derives the counts from these steps.
 #pragma once
 
-#include <graze/time/fast_approach.hpp>
+#include <graze/time/mover_approach.hpp>
 #include <graze/time/rounding_test.hpp>
 
 namespace graze::inline v0_1::detail {
@@ -125,10 +125,6 @@ template <bool Fused>
     return {x.value[i], {x.parts.high[i], x.parts.low[i]}};
 }
 
-template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline lanes first_two(const vec<N, T>& x) noexcept {
-    return lanes{static_cast<double>(as_stored(x[0])), static_cast<double>(as_stored(x[1]))};
-}
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline lanes last_two(const vec<N, T>& x, const vec<N, T>& y) noexcept {
     return lanes{static_cast<double>(as_stored(x[N - 1])), static_cast<double>(as_stored(y[N - 1]))};

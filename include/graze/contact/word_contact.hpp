@@ -1,11 +1,10 @@
-// The contact of two balls in double words: where doubles leave components in doubt, or leave open whether they meet.
+// The contact of two movers in double words: where doubles leave components in doubt, or leave open whether they meet.
 //
 // y = Δx + Δu τ comes from its parts across Δu and along it (separation_at_contact), which do not cancel for balls from
 // far away; √D is the speed at which they close times R. In the plane and in space, with any lengths and velocities.
 #pragma once
 
-#include <graze/contact/bounded_components.hpp>
-#include <graze/contact/bounded_impact.hpp>
+#include <graze/contact/fast_contact.hpp>
 #include <graze/formula/contact.hpp>
 #include <graze/time/further_time.hpp>
 
@@ -31,15 +30,47 @@ struct separation_bounds {
     }();
 };
 
-// Where both balls are; each from its own time, or from where the other is and y if that is known better.
-template <bool Fused, int N, class F>
-[[gnu::always_inline]] inline void bound_positions(const ball<N, double>& a, const ball<N, double>& b,
-                                                   const bounded<double>& time, const vec<N, loose_word<Fused>>& y,
-                                                   double y_error, F& take) noexcept {
-    const auto t0 = as_factor<Fused>(time.high);
-    const auto by_itself = [&](double x, double u) __attribute__((always_inline)) {
-        const auto p = position_in_parts(x, u, t0, time.low);
-        return bounded<double>{p.value, p.error, 0x1p-104 * absolute(x) + 1.25 * absolute(u) * time.error};
+// How long one of two movers has been on its way, high + low.
+template <bool Fused>
+struct word_time {
+    factor<double, Fused> high;
+    double low;
+    double error;
+};
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline word_time<Fused> time_since(const exact_pair<double>& before,
+                                                                     const bounded<double>& time) noexcept {
+    const auto sum = two_sum(before.value, time.high);
+    return {as_factor<Fused>(sum.value), sum.error + (before.error + time.low),
+            1.01 * time.error + 0x1p-103 * absolute(sum.value)};
+}
+// Of both. before: how long before the start each has started.
+template <bool Fused, moving B>
+struct word_times {
+    word_time<Fused> of_a, of_b;
+
+    [[gnu::always_inline]] word_times(const B& a, const B& b, const bounded<double>& time) noexcept {
+        if constexpr (is_flight<B>) {
+            const auto lead = two_difference(as_stored(b.since), as_stored(a.since));
+            const exact_pair<double> none{0, 0};
+            const bool a_first = lead.value > 0;
+            of_a = time_since<Fused>(a_first ? lead : none, time);
+            of_b = time_since<Fused>(a_first ? none : exact_pair<double>{-lead.value, -lead.error}, time);
+        } else {
+            of_a = of_b = {as_factor<Fused>(time.high), time.low, time.error};
+        }
+    }
+};
+
+// Where both are; each from its own time, or from where the other is and y if that is known better.
+template <bool Fused, moving B, int N, class F>
+[[gnu::always_inline]] inline void bound_positions(const B& a, const B& b, const bounded<double>& time,
+                                                   const vec<N, loose_word<Fused>>& y, double y_error,
+                                                   F& take) noexcept {
+    const word_times<Fused, B> times(a, b, time);
+    const auto by_itself = [&](double x, double u, const word_time<Fused>& t) __attribute__((always_inline)) {
+        const auto p = position_in_parts(x, u, t.high, t.low);
+        return bounded<double>{p.value, p.error, 0x1p-104 * absolute(x) + 1.25 * absolute(u) * t.error};
     };
     const auto by_other = [&](const bounded<double>& x, double high, double low) __attribute__((always_inline)) {
         const auto sum = two_sum(x.high, high);
@@ -47,8 +78,8 @@ template <bool Fused, int N, class F>
                                x.error + y_error + 0x1p-102 * (absolute(x.high) + absolute(high))};
     };
     for (int i = 0; i < N; ++i) {
-        const auto p = by_itself(a.position[i], a.velocity[i]);
-        const auto q = by_itself(b.position[i], b.velocity[i]);
+        const auto p = by_itself(state_of(a).position[i], state_of(a).velocity[i], times.of_a);
+        const auto q = by_itself(state_of(b).position[i], state_of(b).velocity[i], times.of_b);
         const auto p_from_q = by_other(q, y[i].high, y[i].low);
         const auto q_from_p = by_other(p, -y[i].high, -y[i].low);
         auto first = p_from_q.error < p.error ? p_from_q : p;
@@ -61,13 +92,13 @@ template <bool Fused, int N, class F>
 }
 
 // Of a hit.
-template <bool Fused, int N, class F>
-[[gnu::always_inline]] inline void bound_word_contact(const word_approach<Fused, N>& w, const ball<N, double>& a,
-                                                      const ball<N, double>& b, double mass_a, double mass_b,
-                                                      F& take) noexcept {
+template <bool Fused, moving B, class F>
+[[gnu::always_inline]] inline void bound_word_contact(const word_approach<Fused, B>& w, const B& a, const B& b,
+                                                      double mass_a, double mass_b, F& take) noexcept {
+    constexpr int N = dimension_of<B>;
     using word = loose_word<Fused>;
     const bounded<double> time{w.time.high, w.time.low, (1 + 0x1p-40) * w.time_error};
-    take(time, 0);
+    take(on_clock_of(a, b, time), 0);
 
     const word ordered_a = w.a.in_order();
     const auto inverse = inverse_of<Fused>(exact_pair<double>{ordered_a.high, ordered_a.low});
@@ -103,71 +134,34 @@ template <bool Fused, int N, class F>
                                       N == 3 ? lanes{0, y[N - 1].low} : zero, as_factor<Fused>(zero)};
     const lane_contact<Fused> contact{unused, y01, y2, y01.low, y2.low, {w.motion.R.high, w.motion.R.low}};
     const word s = w.root.in_order();
-    bound_impact(a, b, mass_a, mass_b, contact, exact_pair<double>{s.high, s.low},
+    bound_impact(state_of(a), state_of(b), mass_a, mass_b, contact, exact_pair<double>{s.high, s.low},
                  1.0001 * y_error / w.motion.R.high + 0x1p-100, 1.0001 * w.root_error / s.high + 0x1p-98, take);
 }
 
-// What becomes of two balls, and the bounded components of their contact.
-template <int N>
+// What becomes of two movers in words, as a number, and whether they were in range.
+struct words_of_contact {
+    int what;
+    bool in_range;
+};
+// Takes the components of a hit; of an overlap all but time and, of balls, positions.
+template <class Taker, moving B>
 struct contact_in_words {
-    struct answer {
-        int what;
-        bool in_range;
-    };
-    bounded_components& found;
-    const ball<N, double>&a, &b;
+    Taker& taken;
+    const B &a, &b;
     double mass_a, mass_b;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] answer operator()(std::bool_constant<Fused>) const noexcept {
-        const word_approach<Fused, N> w(a, b);
+    [[nodiscard, gnu::always_inline]] words_of_contact operator()(std::bool_constant<Fused>) const noexcept {
+        const word_approach<Fused, B> w(a, b);
         if (w.what == static_cast<int>(encounter::hit)) {
             if (w.good && is_usable_mass(mass_a) && is_usable_mass(mass_b)) {
-                bound_word_contact<Fused>(w, a, b, mass_a, mass_b, found);
+                bound_word_contact<Fused>(w, a, b, mass_a, mass_b, taken);
             }
         } else if (w.what == static_cast<int>(encounter::overlap)) {
-            (void)bound_overlap<Fused>(a, b, mass_a, mass_b, found);
+            (void)bound_overlap<Fused>(a, b, mass_a, mass_b, taken);
         }
         return {w.what, w.in_range};
     }
 };
-
-// What becomes of two balls, `undecided` where words leave that open; of a hit, and of an overlap that is no matter of
-// time and positions, the components that are known, in units of 2^length and 2^velocity.
-struct further_contact {
-    int what = undecided;
-    int length = 0, velocity = 0;
-    bounded_components components;
-};
-
-// Of balls whose radii are not negative.
-template <int N>
-[[gnu::noinline]] void find_further_contact(further_contact& r, const ball<N, double>& a, const ball<N, double>& b,
-                                            double mass_a, double mass_b) noexcept {
-    if constexpr (has_error_free_doubles) {
-        if (rounds_to_nearest()) {
-            const ball<N, double>* x = &a;
-            const ball<N, double>* y = &b;
-            scaled_balls<N> s;
-            for (bool usual = has_usual_size(a, b);; usual = false) {
-                if (!usual) {
-                    s = scaled(a, b);
-                    if (!s.known) {
-                        return;
-                    }
-                    x = &s.a;
-                    y = &s.b;
-                }
-                const auto answer = with_best_products(contact_in_words<N>{r.components, *x, *y, mass_a, mass_b});
-                if (answer.in_range || !usual) {
-                    r.what = answer.what;
-                    r.length = s.length;
-                    r.velocity = s.velocity;
-                    return;
-                }
-            }
-        }
-    }
-}
 
 } // namespace graze::inline v0_1::detail

@@ -16,12 +16,14 @@ struct of_doubles {
     using count = rounding_count;
     static constexpr rounding_count input = rounding_count::rounded_input();
     static constexpr rounding_count exact = rounding_count::exact_input();
+    static constexpr rounding_count given = rounding_count::exact_input(); // a number of the input
     [[nodiscard]] static consteval double bound(const rounding_count& x) { return x.bound(0x1p-52); }
 };
 struct of_words {
     using count = word_rounding;
     static constexpr word_rounding input = word_rounding::exact_input();
     static constexpr word_rounding exact = word_rounding::exact_input();
+    static constexpr word_rounding given = word_rounding::exact_double();
     [[nodiscard]] static consteval double bound(const word_rounding& x) { return x.bound(); }
 };
 
@@ -91,8 +93,9 @@ class lagrange_bounds {
 };
 
 // Formulas of a motion in numbers V; Motion::value<N, Arithmetic>() is the same motion in the analysis. What
-// underflows, or is flushed to zero, in lengths L and velocities V is a few times 2^-1022 (L + V + L V) after one
-// product; once more multiplied it is below 2^-1010 (1 + L²)(1 + V²), L, V < 2^100.
+// underflows, or is flushed to zero, in lengths L, velocities V and a lead is a few times 2^-1022 (L + V + L V) after
+// one product, or 2^-922 with a lead below 2^100; once more multiplied it is below 2^-900 (1 + L²)(1 + V²). The range
+// holds all floats.
 template <class Arithmetic, class Motion, int N, class V>
 struct sized_motion {
     const relative_motion<N, V, V, V>& motion;
@@ -100,16 +103,18 @@ struct sized_motion {
     double length2, speed2;
     double lost;
 
-    // length: the same motion with lengths of which |Δx| and R are at most the norms.
-    [[gnu::always_inline]] constexpr sized_motion(const relative_motion<N, V, V, V>& m,
-                                                  const relative_motion<N, term_size, term_size, term_size>& s) noexcept
-        : motion(m), size(s), length2((graze::squared_norm(s.dx) + s.R * s.R).value),
-          speed2(graze::squared_norm(s.du).value), lost(0x1p-1010 * ((1 + length2) * (1 + speed2))) {}
+    bool has_range;
 
-    [[nodiscard, gnu::always_inline]] constexpr bool in_range() const noexcept {
-        return (static_cast<unsigned>(within_powers<-200, 200>(length2)) &
-                static_cast<unsigned>(within_powers<-200, 200>(speed2))) != 0;
-    }
+    // s: of what the motion's numbers were added up from. epochs: whether those are in range.
+    [[gnu::always_inline]] constexpr sized_motion(const relative_motion<N, V, V, V>& m,
+                                                  const relative_motion<N, term_size, term_size, term_size>& s,
+                                                  bool epochs) noexcept
+        : motion(m), size(s), length2((graze::squared_norm(size.dx) + size.R * size.R).value),
+          speed2(graze::squared_norm(size.du).value), lost(0x1p-900 * ((1 + length2) * (1 + speed2))),
+          has_range((static_cast<unsigned>(within_powers<-300, 262>(length2)) &
+                     static_cast<unsigned>(within_powers<-300, 262>(speed2)) & static_cast<unsigned>(epochs)) != 0) {}
+
+    [[nodiscard]] constexpr bool in_range() const noexcept { return has_range; }
 
     template <class F>
     [[nodiscard, gnu::always_inline]] constexpr bounded_value<V> operator()(F f) const noexcept {
@@ -140,26 +145,35 @@ struct sized_motion {
     }
 };
 
-// The encounter, or `undecided`, from a sized motion.
+// The encounter, or `undecided`, from a sized motion, and what is known of the numbers on which it rests; of those
+// that come later in this order nothing, if one is open.
 inline constexpr int undecided = -1;
+template <class V>
+struct bounded_encounter {
+    int what = undecided;
+    bounded_value<V> h{}, c{}, discriminant{};
+};
+template <class M>
+[[nodiscard, gnu::always_inline]] constexpr auto encounter_of_sized(const M& m) noexcept {
+    bounded_encounter<decltype(m(coefficient_h{}).value)> r;
+    r.h = m(coefficient_h{});
+    if (const int h = r.h.sign(); h != -1) {
+        r.what = h == open ? undecided : static_cast<int>(encounter::recede);
+        return r;
+    }
+    r.c = m(coefficient_c{});
+    if (const int c = r.c.sign(); c != 1) {
+        r.what = c == open ? undecided : static_cast<int>(encounter::overlap);
+        return r;
+    }
+    r.discriminant = m.discriminant();
+    const int d = r.discriminant.sign();
+    r.what = d == open ? undecided : static_cast<int>(d < 0 ? encounter::miss : encounter::hit);
+    return r;
+}
 template <class M>
 [[nodiscard, gnu::always_inline]] constexpr int decided_encounter(const M& m) noexcept {
-    const int h = m(coefficient_h{}).sign();
-    if (h == open) {
-        return undecided;
-    }
-    if (h > 0) {
-        return static_cast<int>(encounter::recede);
-    }
-    const int c = m(coefficient_c{}).sign();
-    if (c == open) {
-        return undecided;
-    }
-    if (c < 0) {
-        return static_cast<int>(encounter::overlap);
-    }
-    const int d = m.discriminant().sign();
-    return d == open ? undecided : static_cast<int>(d < 0 ? encounter::miss : encounter::hit);
+    return encounter_of_sized(m).what;
 }
 
 } // namespace graze::inline v0_1::detail

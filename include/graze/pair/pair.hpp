@@ -23,14 +23,15 @@ template <int N, class T>
     }
 }
 
-// Each pair kind has: the numbers of lengths, velocities and normals; pack, which writes the row; and motion, which
-// makes of lifted inputs the relative motion that the formulas take.
+// Each pair kind has: the numbers of lengths, velocities and normals, and of epochs if what moves is a flight; pack,
+// which writes the row; and motion, which makes of lifted inputs the relative motion that the formulas take.
 template <int N>
 struct two_balls {
     static constexpr std::size_t n = N;
     static constexpr std::size_t lengths = 2 * n + 2;
     static constexpr std::size_t velocities = 2 * n;
     static constexpr std::size_t normals = 0;
+    static constexpr std::size_t epochs = 2;
     static constexpr bool narrow_pays = true;
 
     template <class T>
@@ -61,6 +62,7 @@ struct ball_and_plane {
     static constexpr std::size_t lengths = 2 * n + 1;
     static constexpr std::size_t velocities = n;
     static constexpr std::size_t normals = n;
+    static constexpr std::size_t epochs = 1;
 
     template <class T>
     static constexpr void pack(T* row, const ball<N, T>& b, const plane<N, T>& p) noexcept {
@@ -90,6 +92,7 @@ struct ball_and_wall {
     static constexpr std::size_t lengths = (n + 1) * n + 1;
     static constexpr std::size_t velocities = n;
     static constexpr std::size_t normals = 0;
+    static constexpr std::size_t epochs = 1;
 
     template <class T>
     static constexpr void pack(T* row, const ball<N, T>& b, const wall<N, T>& w) noexcept {

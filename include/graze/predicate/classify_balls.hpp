@@ -1,25 +1,52 @@
-// What becomes of two balls, exactly.
+// What becomes of two balls or two flights, exactly.
 #pragma once
 
 #include <graze/pair/exact_sign.hpp>
+#include <graze/pair/flight_pair.hpp>
 #include <graze/pair/input_check.hpp>
 #include <graze/pair/pair.hpp>
 #include <graze/pair/stage.hpp>
 #include <graze/predicate/filtered_balls.hpp>
 #include <graze/predicate/refined_balls.hpp>
 
+#include <concepts>
 #include <type_traits>
 
 namespace graze::inline v0_1 {
 
 namespace detail {
 
-// f(motion) with the exact relative motion of two balls whose values have been checked.
-template <int N, class T, class F>
-[[nodiscard, gnu::noinline]] constexpr auto with_exact_balls(const ball<N, T>& a, const ball<N, T>& b, F f) {
-    check(a, "ball a");
-    check(b, "ball b");
-    return with_exact_motion<two_balls<N>>(lift_row<two_balls<N>>(packed<two_balls<N>>(a, b)), f);
+template <int N, class T>
+constexpr void check(const flight<N, T>& f, const char* argument) {
+    check(f.state, argument);
+    if (!is_finite_input(f.since)) {
+        reject(argument, "since is not finite");
+    }
+}
+template <moving B>
+constexpr void check_movers(const B& a, const B& b) {
+    check(a, is_flight<B> ? "flight a" : "ball a");
+    check(b, is_flight<B> ? "flight b" : "ball b");
+}
+
+// The inputs of two flights, settled in a unit of time of their own.
+template <int N, class T>
+[[nodiscard]] constexpr timed_inputs<two_balls<N>> lift_flights(const flight<N, T>& a, const flight<N, T>& b) noexcept {
+    auto in = lift_timed<two_balls<N>>(packed<two_balls<N>>(a.state, b.state), epochs_of(a, b));
+    in.settle(in.unit());
+    return in;
+}
+
+// f(motion) with the exact relative motion, at the later epoch, of two movers whose values have been checked.
+template <moving B, class F>
+[[nodiscard, gnu::noinline]] constexpr auto with_exact_balls(const B& a, const B& b, F f) {
+    check_movers(a, b);
+    if constexpr (is_flight<B>) {
+        return with_exact_flights(lift_flights(a, b), [&](const auto& pair) { return f(pair.motion()); });
+    } else {
+        using P = two_balls<dimension_of<B>>;
+        return with_exact_motion<P>(lift_row<P>(packed<P>(a, b)), f);
+    }
 }
 
 // The sign of D from exact coefficients: of an estimate where that is certain, else of the exact value.
@@ -49,34 +76,47 @@ struct exact_encounter {
     }
 };
 
-// Balls of one velocity, both at rest for instance, come no closer: no integers are needed.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const ball<N, T>& a, const ball<N, T>& b) {
-    if (is_same(a.velocity, b.velocity)) {
-        check(a, "ball a");
-        check(b, "ball b");
+// Movers of one velocity, both at rest for instance, come no closer: no integers are needed.
+template <moving B>
+[[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const B& a, const B& b) {
+    if (is_same(state_of(a).velocity, state_of(b).velocity)) {
+        check_movers(a, b);
         return encounter::recede;
     }
     return with_exact_balls(a, b, exact_encounter{});
 }
 
-// What becomes of two balls, and the stage that was needed.
+// What becomes of two movers, and the stage that was needed.
 struct decided_balls {
     encounter what;
     stage decided_by;
 };
 
 // Where the filter is not certain, or not asked.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] constexpr decided_balls classify_further(const ball<N, T>& a, const ball<N, T>& b) {
-    if constexpr (std::is_floating_point_v<T>) {
-        if (!std::is_constant_evaluated() && plain_radii(a.radius, b.radius)) {
+template <moving B>
+[[nodiscard, gnu::noinline]] constexpr decided_balls classify_further(const B& a, const B& b) {
+    if constexpr (std::floating_point<number_in<B>>) {
+        if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
             if (const auto r = refine(a, b); r.what != undecided) {
                 return {static_cast<encounter>(r.what), r.decided_by};
             }
         }
     }
     return {classify_exactly(a, b), stage::exact};
+}
+
+template <moving B, class Observer>
+[[nodiscard, gnu::always_inline]] constexpr inline encounter classify_movers(const B& a, const B& b,
+                                                                             Observer&& observer) {
+    if (!std::is_constant_evaluated() && has_usual_size(a, b)) [[likely]] {
+        if (const auto filtered = start_filter(a, b).finish(); filtered.certain) [[likely]] {
+            observer(stage::filter);
+            return filtered.what();
+        }
+    }
+    const auto further = classify_further(a, b);
+    observer(further.decided_by);
+    return further.what;
 }
 
 // 32-bit integers as numbers whose widths the type tracks.
@@ -108,21 +148,27 @@ requires is_binary_input<T>
                                                                       Observer&& observer = {}) {
     if constexpr (std::signed_integral<T> && sizeof(T) == 4) { // one path, no filter: the types hold every value
         if (!detail::plain_radii(a.radius, b.radius)) {
-            detail::check(a, "ball a");
-            detail::check(b, "ball b");
+            detail::check_movers(a, b);
         }
         observer(stage::exact);
         return detail::exact_encounter{}(relative_motion_of(detail::as_integers(a), detail::as_integers(b)));
     }
-    if (!std::is_constant_evaluated() && detail::has_usual_size(a, b)) [[likely]] {
-        if (const auto filtered = detail::filter_balls(a, b); filtered.certain) [[likely]] {
-            observer(stage::filter);
-            return filtered.what();
-        }
-    }
-    const auto further = detail::classify_further(a, b);
-    observer(further.decided_by);
-    return further.what;
+    return detail::classify_movers(a, b, observer);
+}
+
+// What the encounters of balls mean at t = 0 those of flights mean at t0, the later one's `since`: from then on both
+// are on their way. The motion before is exact, nothing is rounded. Laws 1 to 6, with t0 for an overlap's time, and
+//   12. flights of one `since` do what their balls do;
+//   13. the answer stays the same when every `since` is shifted by one number, if the sums are exact.
+
+// Whether two flights meet from t0 on, exactly, for every finite input. Throws std::domain_error that names the flight
+// and the field when an input is not finite or a radius is negative; in a constant expression such input does not
+// compile. The observer is told which stage decided.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const flight<N, T>& a, const flight<N, T>& b,
+                                                                      Observer&& observer = {}) {
+    return detail::classify_movers(a, b, observer);
 }
 
 } // namespace graze::inline v0_1

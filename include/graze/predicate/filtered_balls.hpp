@@ -1,11 +1,11 @@
-// The filter of two balls: the encounter from the signs of h, c and D in doubles, with one bound for the three.
+// The filter of two movers: the encounter from the signs of h, c and D in doubles, with one bound for the three.
 #pragma once
 
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
 #include <graze/pair/input_check.hpp>
-#include <graze/pair/rounded_motion.hpp>
+#include <graze/pair/moving_motion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,23 +22,25 @@ struct halved_of_motion {
 
 // The constant of D, and of the two signs that are compared with the same product of scales: h² > K S, S =
 // length²·velocity², is more than |h| > K_h length·velocity, and a|c| > K S is |c| > K length².
-template <int N, class T>
+template <int N, class T, class Bounds = ball_bounds<N, T>>
 struct ball_filter {
-    static constexpr double h = filter_constant(coefficient_h{}, ball_bounds<N, T>::value());
-    static constexpr double c = filter_constant(coefficient_c{}, ball_bounds<N, T>::value());
-    static constexpr double discriminant = filter_constant(halved_of_motion{}, ball_bounds<N, T>::value());
+    static constexpr double h = filter_constant(coefficient_h{}, Bounds::value());
+    static constexpr double c = filter_constant(coefficient_c{}, Bounds::value());
+    static constexpr double discriminant = filter_constant(halved_of_motion{}, Bounds::value());
 
-    static_assert(has_degrees(coefficient_h{}, ball_bounds<N, T>::value(), 1, 1, 0));
-    static_assert(has_degrees(coefficient_c{}, ball_bounds<N, T>::value(), 2, 0, 0));
-    static_assert(has_degrees(halved_of_motion{}, ball_bounds<N, T>::value(), 2, 2, 0));
+    static_assert(has_degrees(coefficient_h{}, Bounds::value(), 1, 1, 0));
+    static_assert(has_degrees(coefficient_c{}, Bounds::value(), 2, 0, 0));
+    static_assert(has_degrees(halved_of_motion{}, Bounds::value(), 2, 2, 0));
     static_assert(discriminant > 2 * h * h && discriminant > 2 * c, "one constant must serve all three signs");
 };
+template <moving B>
+using filter_of = ball_filter<dimension_of<B>, number_in<B>, moving_bounds<B>>;
 
 // What the filter knows of a pair: the encounter if it is certain, and the numbers on which that rests.
 struct filtered_balls {
     bool certain = false;
     double h = 0, c = 0, discriminant = 0;
-    double length2 = 0; // |Δx|² + R²
+    double length2 = 0; // at least |Δx|² + R²
     double scale = 0;   // |Δu|² length2
 
     // Looked up by the three signs, none of which is of a zero: pairs come in no order that a branch could predict.
@@ -65,10 +67,10 @@ inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0
 
 // Whether R is of a size that is mostly in that range. Where it is not, products that underflow would take longer than
 // all the rest.
-template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline bool has_usual_size(const ball<N, T>& a, const ball<N, T>& b) noexcept {
-    if constexpr (std::is_same_v<T, double>) {
-        return within_powers<-220, 280>(as_stored(a.radius) + as_stored(b.radius));
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline bool has_usual_size(const B& a, const B& b) noexcept {
+    if constexpr (std::is_same_v<number_in<B>, double>) {
+        return within_powers<-220, 280>(as_stored(state_of(a).radius) + as_stored(state_of(b).radius));
     } else {
         return true;
     }
@@ -119,18 +121,16 @@ struct started_filter {
     }
 };
 
-template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline started_filter<T, ball_filter<N, T>>
-start_filter(const ball<N, T>& a, const ball<N, T>& b) noexcept {
-    const auto m = rounded_motion(a, b);
-    started_filter<T, ball_filter<N, T>> r(m, graze::squared_norm(m.dx) + m.R * m.R);
-    r.in_range = r.in_range & plain_radii(a.radius, b.radius);
-    return r;
-}
-template <int N, class T>
-[[nodiscard, gnu::always_inline]] inline filtered_balls filter_balls(const ball<N, T>& a,
-                                                                     const ball<N, T>& b) noexcept {
-    return start_filter(a, b).finish();
+// Of two movers.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline auto start_filter(const B& a, const B& b) noexcept {
+    const bool plain = plain_radii(state_of(a).radius, state_of(b).radius);
+    return with_motion_at_start(
+        a, b, [plain](const auto& m, double length2, bool in_range) __attribute__((always_inline)) {
+            started_filter<number_in<B>, filter_of<B>> r(m, length2);
+            r.in_range = r.in_range & in_range & plain;
+            return r;
+        });
 }
 
 } // namespace graze::inline v0_1::detail

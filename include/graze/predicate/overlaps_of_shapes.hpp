@@ -9,25 +9,51 @@ namespace graze::inline v0_1 {
 // Laws 1 to 4 of classify_balls.hpp, and
 //   10. classify says overlap of what overlaps and does not recede, and of nothing else.
 
+namespace detail {
+
+// By the sign of c alone. Velocities have no part in the answer of balls, but a bad one is still bad.
+template <moving B, class Observer>
+[[nodiscard]] constexpr bool movers_overlap(const B& a, const B& b, Observer&& observer) {
+    using T = number_in<B>;
+    const auto& x = state_of(a);
+    const auto& y = state_of(b);
+    if (!std::is_constant_evaluated() && plain_radii(x.radius, y.radius) && is_finite(x.velocity) &&
+        is_finite(y.velocity)) {
+        int s = with_motion_at_start(a, b, [](const auto& m, double length2, bool in_range) {
+            const int found = certain_sign(coefficient_c{}(m), filter_of<B>::c * length2);
+            return in_range && length2 > smallest_square<T> && length2 < 0x1p570 ? found : open;
+        });
+        if (s != open) {
+            observer(stage::filter);
+            return s < 0;
+        }
+        if constexpr (std::floating_point<T>) {
+            s = distance_further(a, b);
+            if (s != open) {
+                observer(stage::double_word);
+                return s < 0;
+            }
+        }
+    }
+    const bool inside = with_exact_balls(a, b, [](const auto& m) { return exact_sign(m, coefficient_c{}) < 0; });
+    observer(stage::exact);
+    return inside;
+}
+
+} // namespace detail
+
 // Whether |Δx|² < R², exactly. Touching is not overlapping. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr bool overlaps(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
-    if (!std::is_constant_evaluated() && detail::plain_radii(a.radius, b.radius)) {
-        const auto m = detail::rounded_motion(a, b);
-        const double length2 = graze::squared_norm(m.dx) + m.R * m.R;
-        const int s = detail::certain_sign(coefficient_c{}(m), detail::ball_filter<N, T>::c * length2);
-        // Velocities have no part in the answer, but a bad one is still bad.
-        if (s != detail::open && length2 > detail::smallest_square<T> && length2 < 0x1p570 &&
-            detail::is_finite(a.velocity) && detail::is_finite(b.velocity)) {
-            observer(stage::filter);
-            return s < 0;
-        }
-    }
-    const bool inside =
-        detail::with_exact_balls(a, b, [](const auto& m) { return detail::exact_sign(m, coefficient_c{}) < 0; });
-    observer(stage::exact);
-    return inside;
+    return detail::movers_overlap(a, b, observer);
+}
+
+// Whether |Δx|² < R² at the later one's `since`, exactly. Touching is not overlapping. Throws as classify does.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr bool overlaps(const flight<N, T>& a, const flight<N, T>& b, Observer&& observer = {}) {
+    return detail::movers_overlap(a, b, observer);
 }
 
 // Whether the ball's centre is nearer to the plane than its radius, exactly. Throws as classify does.

@@ -1,10 +1,9 @@
-// Two balls of which the filter is not certain: scaled, in Lagrange's form, in double words.
+// Two movers of which the filter is not certain: scaled, in Lagrange's form, in double words.
 #pragma once
 
 #include <graze/machine/fused.hpp>
 #include <graze/pair/bounded_motion.hpp>
-#include <graze/pair/rounded_motion.hpp>
-#include <graze/pair/scaled_balls.hpp>
+#include <graze/pair/scaled_movers.hpp>
 #include <graze/pair/stage.hpp>
 #include <graze/predicate/filtered_balls.hpp>
 
@@ -16,87 +15,62 @@ struct refined_encounter {
     stage decided_by = stage::exact;
 };
 
-// The motion of two balls as the analysis sees it: all of its numbers are inputs.
-struct analysed_balls {
+inline constexpr int out_of_range = -2;
+
+// The motion of two movers as the analysis sees it: differences and sums of numbers of the input are its inputs.
+template <bool HasEpoch>
+struct analysed_movers {
     template <int N, class Arithmetic>
     [[nodiscard]] static consteval auto value() {
         const auto each = make_vec<N>([](int) { return Arithmetic::input; });
-        return relative_motion{each, each, Arithmetic::input};
+        const relative_motion m{each, each, Arithmetic::input};
+        if constexpr (HasEpoch) {
+            return with_lead(m, make_vec<N>([](int) { return Arithmetic::given; }), Arithmetic::input);
+        } else {
+            return m;
+        }
     }
 };
 
-template <bool Fused, int N>
-[[nodiscard, gnu::always_inline]] inline auto word_motion(const ball<N, double>& a, const ball<N, double>& b) noexcept {
+// How differences and sums of the inputs are taken: rounded, or exactly.
+struct inputs_in_doubles {
+    [[nodiscard]] static double given(double x) noexcept { return x; }
+    [[nodiscard]] static double difference(double x, double y) noexcept { return x - y; }
+    [[nodiscard]] static double sum(double x, double y) noexcept { return x + y; }
+};
+template <bool Fused>
+struct inputs_in_words {
     using word = loose_word<Fused>;
-    const auto difference = [](const vec<N, double>& x, const vec<N, double>& y) __attribute__((always_inline)) {
-        return make_vec<N>([&](int i) { return word(two_difference(x[i], y[i])); });
-    };
-    return relative_motion{difference(a.position, b.position), difference(a.velocity, b.velocity),
-                           word(two_sum(a.radius, b.radius))};
-}
-
-template <int N>
-struct encounter_in_words {
-    const ball<N, double>*a, *b;
-
-    template <bool Fused>
-    [[nodiscard, gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept {
-        const auto m = word_motion<Fused>(*a, *b);
-        return decided_encounter(sized_motion<of_words, analysed_balls, N, loose_word<Fused>>(m, size_of(m)));
-    }
+    [[nodiscard]] static word given(double x) noexcept { return {x, 0}; }
+    [[nodiscard]] static word difference(double x, double y) noexcept { return word(two_difference(x, y)); }
+    [[nodiscard]] static word sum(double x, double y) noexcept { return word(two_sum(x, y)); }
 };
-template <int N>
-[[nodiscard, gnu::noinline]] refined_encounter refine_in_words(const ball<N, double>& a,
-                                                               const ball<N, double>& b) noexcept {
-    if constexpr (has_error_free_doubles) {
-        if (rounds_to_nearest()) {
-            return {with_best_products(encounter_in_words<N>{&a, &b}), stage::double_word};
-        }
+
+// use(motion, sizes, in_range) of two movers at the later epoch: the sizes of what the motion's numbers were added up
+// from, and whether epochs are in range.
+template <class In, moving B, class F>
+[[nodiscard, gnu::always_inline]] inline auto with_sizes_at_start(const B& a, const B& b, F use) noexcept {
+    constexpr int N = dimension_of<B>;
+    const auto difference = [](const vec<N, double>& x, const vec<N, double>& y) __attribute__((always_inline)) {
+        return make_vec<N>([&](int i) { return In::difference(as_stored(x[i]), as_stored(y[i])); });
+    };
+    const auto& x = state_of(a);
+    const auto& y = state_of(b);
+    const relative_motion m{difference(x.position, y.position), difference(x.velocity, y.velocity),
+                            In::sum(as_stored(x.radius), as_stored(y.radius))};
+    if constexpr (is_flight<B>) {
+        const auto lead = In::difference(as_stored(b.since), as_stored(a.since));
+        const double leading = leading_double(lead);
+        const auto& u = leading > 0 ? x.velocity : y.velocity;
+        const auto moving_at = make_vec<N>([&](int i) { return In::given(as_stored(u[i])); });
+        return use(with_lead(m, moving_at, lead), with_lead(size_of(m), size_of(moving_at), size_of(lead)),
+                   leading == 0 || within_powers<-900, 100>(std::fabs(leading)));
+    } else {
+        return use(m, size_of(m), true);
     }
-    return {};
 }
 
-// Of a motion whose numbers are in range.
-template <int N>
-[[nodiscard, gnu::always_inline]] inline refined_encounter
-refine_sized(const sized_motion<of_doubles, analysed_balls, N, double>& sized, const ball<N, double>& a,
-             const ball<N, double>& b) noexcept {
-    const int what = decided_encounter(sized);
-    return what != undecided ? refined_encounter{what, stage::refined} : refine_in_words(a, b);
-}
-
-template <int N>
-[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const ball<N, double>& a,
-                                                             const ball<N, double>& b) noexcept {
-    const scaled_balls<N> s = scaled(a, b);
-    if (!s.known) {
-        return {};
-    }
-    const auto m = rounded_motion(s.a, s.b);
-    const sized_motion<of_doubles, analysed_balls, N, double> sized(m, size_of(m));
-    if (!sized.in_range()) {
-        return {};
-    }
-    const started_filter<double, ball_filter<N, double>> started(m, sized.length2);
-    if (const auto filtered = started.finish(); filtered.certain) {
-        return {static_cast<int>(filtered.what()), stage::filter};
-    }
-    return refine_sized<N>(sized, s.a, s.b);
-}
-
-// Of balls whose radii are not negative.
-template <int N>
-[[nodiscard, gnu::always_inline]] inline refined_encounter refine(const ball<N, double>& a,
-                                                                  const ball<N, double>& b) noexcept {
-    if (has_usual_size(a, b)) {
-        const auto m = rounded_motion(a, b);
-        const sized_motion<of_doubles, analysed_balls, N, double> sized(m, size_of(m));
-        if (sized.in_range()) {
-            return refine_sized<N>(sized, a, b);
-        }
-    }
-    return refine_scaled(a, b);
-}
+// Of floats, whose subnormals are not read as zeros.
 template <int N>
 [[nodiscard]] constexpr const ball<N, double>& in_doubles(const ball<N, double>& b) noexcept {
     return b;
@@ -106,8 +80,111 @@ template <int N>
     return {rounded(wide(b.position)), rounded(wide(b.velocity)), static_cast<double>(as_stored(b.radius))};
 }
 template <int N>
-[[nodiscard, gnu::always_inline]] inline refined_encounter refine(const ball<N, float>& a,
-                                                                  const ball<N, float>& b) noexcept {
+[[nodiscard]] constexpr const flight<N, double>& in_doubles(const flight<N, double>& f) noexcept {
+    return f;
+}
+template <int N>
+[[nodiscard, gnu::always_inline]] inline flight<N, double> in_doubles(const flight<N, float>& f) noexcept {
+    return {in_doubles(f.state), static_cast<double>(as_stored(f.since))};
+}
+
+// The encounter in doubles by the sizes of terms, and in double words.
+template <class Arithmetic, moving B, class V>
+using sized_movers = sized_motion<Arithmetic, analysed_movers<is_flight<B>>, dimension_of<B>, V>;
+
+template <moving B>
+struct encounter_in_words {
+    const B *a, *b;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept {
+        return with_sizes_at_start<inputs_in_words<Fused>>(
+            *a, *b, [](const auto&... m) __attribute__((always_inline)) {
+                return decided_encounter(sized_movers<of_words, B, loose_word<Fused>>(m...));
+            });
+    }
+};
+template <moving B>
+[[nodiscard, gnu::noinline]] refined_encounter refine_in_words(const B& a, const B& b) noexcept {
+    if constexpr (has_error_free_doubles) {
+        if (rounds_to_nearest()) {
+            return {with_best_products(encounter_in_words<B>{&a, &b}), stage::double_word};
+        }
+    }
+    return {};
+}
+
+// The sign of c alone, `open` where words leave it so: whatever the velocities, as long as they are finite.
+template <moving B>
+struct distance_in_words {
+    const B *a, *b;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept {
+        return with_sizes_at_start<inputs_in_words<Fused>>(
+            *a, *b, [](const auto& m, const auto& size, bool in_range) __attribute__((always_inline)) {
+                const sized_movers<of_words, B, loose_word<Fused>> sized(m, size, in_range);
+                return within_powers<-300, 262>(sized.length2) && in_range ? sized(coefficient_c{}).sign() : open;
+            });
+    }
+};
+template <moving B>
+[[nodiscard, gnu::noinline]] int distance_further(const B& a, const B& b) noexcept {
+    if constexpr (std::same_as<number_in<B>, float>) {
+        return keeps_subnormals() ? distance_further(in_doubles(a), in_doubles(b)) : open;
+    } else if constexpr (has_error_free_doubles) {
+        if (rounds_to_nearest()) {
+            if (const int s = with_best_products(distance_in_words<B>{&a, &b}); s != open) {
+                return s;
+            }
+            if (const scaled_movers<B> s = scaled(a, b); s.known) {
+                return with_best_products(distance_in_words<B>{&s.a, &s.b});
+            }
+        }
+    }
+    return open;
+}
+
+// In doubles, and in words where that leaves it open; nothing of movers out of range.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline bool refine_in_range(refined_encounter& r, const B& a, const B& b) noexcept {
+    const int what = with_sizes_at_start<inputs_in_doubles>(
+        a, b, [](const auto&... m) __attribute__((always_inline)) {
+            const sized_movers<of_doubles, B, double> sized(m...);
+            return sized.in_range() ? decided_encounter(sized) : out_of_range;
+        });
+    r = what == undecided ? refine_in_words(a, b) : refined_encounter{what, stage::refined};
+    return what != out_of_range;
+}
+
+template <moving B>
+[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const B& a, const B& b) noexcept {
+    const scaled_movers<B> s = scaled(a, b);
+    if (!s.known) {
+        return {};
+    }
+    const auto filtered = start_filter(s.a, s.b).finish();
+    const bool safe = s.safe || keeps_subnormals();
+    if (all_hold(filtered.certain, safe)) [[likely]] {
+        return {static_cast<int>(filtered.what()), stage::filter};
+    }
+    refined_encounter r;
+    return keeps_subnormals() && refine_in_range(r, s.a, s.b) ? r : refined_encounter{};
+}
+
+// Of movers whose radii are not negative.
+template <moving B>
+requires std::same_as < number_in<B>,
+double > [[nodiscard, gnu::always_inline]] inline refined_encounter refine(const B& a, const B& b) noexcept {
+    refined_encounter r;
+    if (has_usual_size(a, b) && refine_in_range(r, a, b)) {
+        return r;
+    }
+    return refine_scaled(a, b);
+}
+template <moving B>
+requires std::same_as < number_in<B>,
+float > [[nodiscard, gnu::always_inline]] inline refined_encounter refine(const B& a, const B& b) noexcept {
     return keeps_subnormals() ? refine(in_doubles(a), in_doubles(b)) : refined_encounter{};
 }
 

@@ -1,6 +1,7 @@
 // A run in floats or doubles in which every decision is exact and every number correctly rounded.
 #pragma once
 
+#include <graze/contact/collide_balls.hpp>
 #include <graze/contact/collide_flights.hpp>
 #include <graze/exact/dyadic.hpp>
 #include <graze/scene/mechanics.hpp>
@@ -19,7 +20,7 @@ struct exact_mechanics {
     static constexpr int dimension = N;
     using number = T;
     using state = flight<N, T>;
-    using time = flight_time<N, T>;
+    using time = impact_time<N, T>;
     using exact = dyadic;
     static constexpr bool rounds = true;
 
@@ -31,17 +32,17 @@ struct exact_mechanics {
     }
 
     [[nodiscard]] time_bounds meet_until(const state& a, const state& b, double latest) const {
-        const auto found = detail::bounds_until(a, b, latest);
-        return {found.first, found.last};
+        const detail::enclosure found = detail::bounds_until(a, b, latest);
+        return {found.lower(), found.upper()};
     }
 
     [[nodiscard]] constexpr int order(const time& s, const time& t) const { return s.compare(t); }
     [[nodiscard]] constexpr int order(const time& s, const T& t) const { return s < t ? -1 : s > t ? 1 : 0; }
     // The enclosure that the time was made with; one that is too wide to be of use is rounded from the exact time.
     [[nodiscard]] constexpr time_bounds bounds(const time& t) const {
-        const detail::timed_enclosure& near = t.enclosure();
-        if (near.last - near.first <= near.last * 0x1p-30) {
-            return {near.first, near.last};
+        const detail::enclosure near = t.enclosure();
+        if (near.error <= near.near * 0x1p-31) {
+            return {near.lower(), near.upper()};
         }
         return {static_cast<double>(t.lower()), static_cast<double>(t.upper())};
     }
@@ -50,10 +51,9 @@ struct exact_mechanics {
         ball<N, T> approaching{};
         approaching.position[0] = T(-1);
         approaching.velocity[0] = T(1);
-        const detail::flight_event<N, T> then(detail::two_balls<N>{}, approaching, ball<N, T>{},
-                                              detail::event_kind::balls, 0, true, a.since, a.since);
-        const auto at = static_cast<double>(then.start());
-        return time(detail::impact_time_key{}, detail::timed_enclosure{at, at}, then);
+        return detail::enclosed_exactly(detail::event<N, T>(detail::two_balls<N>{}, state{approaching, a.since},
+                                                            state{ball<N, T>{}, a.since}, detail::event_kind::balls, 0,
+                                                            true));
     }
     [[nodiscard]] constexpr flight<N, double> about(const state& a) const {
         const auto wide = [](const vec<N, T>& x) {
@@ -92,9 +92,8 @@ struct exact_mechanics {
     [[nodiscard]] constexpr time reach(const state& a, const S& standing) const {
         using pair = typename decltype(detail::pair_of(a.state, standing))::kind;
         const bool is_plane = std::is_same_v<S, plane<N, T>>;
-        return detail::enclosed_exactly(detail::flight_event<N, T>(
-            pair{}, a.state, standing, is_plane ? detail::event_kind::plane : detail::event_kind::face, 0, false,
-            a.since, a.since));
+        return detail::enclosed_exactly(detail::event<N, T>(
+            pair{}, a, standing, is_plane ? detail::event_kind::plane : detail::event_kind::face, 0, false));
     }
     // As of a ball that cuts the face and goes deeper.
     template <class S>

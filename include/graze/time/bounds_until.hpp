@@ -15,35 +15,30 @@ namespace graze::inline v0_1::detail {
 // products and the sum: 2^-52 (2|h|T + 3 (|c| + 2|h|T)) <= 2^-52 (7 L² + 4 a T²), since |c| <= L² and 2|h|T <= 2LVT <=
 // L² + a T². 2^-48 in place of 7 2^-52 covers the roundings of the bound.
 template <int N, class T>
-[[nodiscard, gnu::flatten]] timed_enclosure bounds_until(const flight<N, T>& a, const flight<N, T>& b, double latest) {
-    constexpr timed_enclosure none{enclosure::unknown, enclosure::unknown};
-    using constant = flight_filter<N, T>;
-    const auto m = rounded_motion(a, b);
-    const started_filter<T, constant> f(m.motion, m.length2);
-    if (all_hold(f.in_range, m.in_range, plain_radii(a.state.radius, b.state.radius))) [[likely]] {
+[[nodiscard, gnu::flatten]] enclosure bounds_until(const flight<N, T>& a, const flight<N, T>& b, double latest) {
+    using constant = filter_of<flight<N, T>>;
+    constexpr enclosure none{enclosure::unknown, 0};
+    if (const auto f = start_filter(a, b); f.in_range) [[likely]] {
         if (f.is_parting()) {
             return none;
         }
-        const auto start = static_cast<double>(as_stored(a.since < b.since ? b.since : a.since));
+        const auto start = static_cast<double>(as_stored(as_stored(a.since) < as_stored(b.since) ? b.since : a.since));
         const double left = latest - start;
         constexpr double k = constant::c + constant::h + 0x1p-48;
         if (f.q.c + 2 * f.q.h * left > k * (f.length2 + f.q.a * (left * left))) {
             return none;
         }
-        const filtered_balls found = f.finish();
-        if (found.certain) [[likely]] {
-            const encounter what = found.what();
-            if (!is_collision(what)) {
-                return none;
+        if (const auto hit = f.find_clear_hit(); hit.certain) [[likely]] {
+            const enclosure from_start = enclosure_from_start<flight<N, T>>(f, hit.discriminant);
+            if (has_error_free_doubles || from_start.is_known()) [[likely]] {
+                return counted_from<T>(start, from_start);
             }
-            const enclosure bounds = enclosure_of_flights<N, T>(found, what);
-            if (bounds.is_known()) [[likely]] {
-                return counted_from<T>(start, bounds);
-            }
+        } else if (const filtered_balls found = f.finish(); found.certain && !is_collision(found.what())) {
+            return none;
         }
     }
-    const auto exactly = time_of_impact_exactly(a, b);
-    return exactly ? exactly->enclosure() : none;
+    const auto further = time_of_impact_further(a, b).time;
+    return further ? further->enclosure() : none;
 }
 
 } // namespace graze::inline v0_1::detail

@@ -24,9 +24,15 @@ extern template std::optional<float> round_fast<float>(const event<3, float>&, d
 extern template std::optional<double> round_fast<double>(const event<2, double>&, double, rounding) noexcept;
 extern template std::optional<double> round_fast<double>(const event<3, double>&, double, rounding) noexcept;
 extern template std::optional<impact_time<2, float>> time_of_overlap(const ball<2, float>&, const ball<2, float>&);
+extern template std::optional<impact_time<2, float>> time_of_overlap(const flight<2, float>&, const flight<2, float>&);
 extern template std::optional<impact_time<3, float>> time_of_overlap(const ball<3, float>&, const ball<3, float>&);
+extern template std::optional<impact_time<3, float>> time_of_overlap(const flight<3, float>&, const flight<3, float>&);
 extern template std::optional<impact_time<2, double>> time_of_overlap(const ball<2, double>&, const ball<2, double>&);
+extern template std::optional<impact_time<2, double>> time_of_overlap(const flight<2, double>&,
+                                                                      const flight<2, double>&);
 extern template std::optional<impact_time<3, double>> time_of_overlap(const ball<3, double>&, const ball<3, double>&);
+extern template std::optional<impact_time<3, double>> time_of_overlap(const flight<3, double>&,
+                                                                      const flight<3, double>&);
 extern template std::optional<impact_time<2, float>> time_of_impact_exactly(const ball<2, float>&,
                                                                             const ball<2, float>&);
 extern template std::optional<impact_time<3, float>> time_of_impact_exactly(const ball<3, float>&,
@@ -59,37 +65,29 @@ extern template std::optional<impact_time<2, double>> time_of_flat_slowly(const 
                                                                           const wall<2, double>&, const flat_answer&);
 extern template std::optional<impact_time<3, double>> time_of_flat_slowly(const ball<3, double>&,
                                                                           const wall<3, double>&, const flat_answer&);
-extern template further_impact<2, float> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
-extern template further_impact<3, float> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
-extern template further_impact<2, double> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
-extern template further_impact<3, double> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
+extern template further_impact<ball<2, float>> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
+extern template further_impact<flight<2, float>> time_of_impact_further(const flight<2, float>&,
+                                                                        const flight<2, float>&);
+extern template further_impact<ball<3, float>> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
+extern template further_impact<flight<3, float>> time_of_impact_further(const flight<3, float>&,
+                                                                        const flight<3, float>&);
+extern template further_impact<ball<2, double>> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
+extern template further_impact<flight<2, double>> time_of_impact_further(const flight<2, double>&,
+                                                                         const flight<2, double>&);
+extern template further_impact<ball<3, double>> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
+extern template further_impact<flight<3, double>> time_of_impact_further(const flight<3, double>&,
+                                                                         const flight<3, double>&);
 extern template float round_further<float>(const event<2, float>&, rounding);
 extern template float round_further<float>(const event<3, float>&, rounding);
 extern template double round_further<double>(const event<2, double>&, rounding);
 extern template double round_further<double>(const event<3, double>&, rounding);
-extern template int compare_exactly(const flight_event<2, float>&, const flight_event<2, float>&);
-extern template int compare_exactly(const flight_event<3, float>&, const flight_event<3, float>&);
-extern template int compare_exactly(const flight_event<2, double>&, const flight_event<2, double>&);
-extern template int compare_exactly(const flight_event<3, double>&, const flight_event<3, double>&);
-extern template int compare_exactly(const flight_event<2, float>&, const binary&);
-extern template int compare_exactly(const flight_event<3, float>&, const binary&);
-extern template int compare_exactly(const flight_event<2, double>&, const binary&);
-extern template int compare_exactly(const flight_event<3, double>&, const binary&);
-extern template float round_exactly<float>(const flight_event<2, float>&, rounding);
-extern template float round_exactly<float>(const flight_event<3, float>&, rounding);
-extern template double round_exactly<double>(const flight_event<2, double>&, rounding);
-extern template double round_exactly<double>(const flight_event<3, double>&, rounding);
-extern template std::optional<flight_time<2, float>> time_of_impact_exactly(const flight<2, float>&,
+extern template std::optional<impact_time<2, float>> time_of_impact_exactly(const flight<2, float>&,
                                                                             const flight<2, float>&);
-extern template std::optional<flight_time<3, float>> time_of_impact_exactly(const flight<3, float>&,
+extern template std::optional<impact_time<3, float>> time_of_impact_exactly(const flight<3, float>&,
                                                                             const flight<3, float>&);
-extern template std::optional<flight_time<2, double>> time_of_impact_exactly(const flight<2, double>&,
+extern template std::optional<impact_time<2, double>> time_of_impact_exactly(const flight<2, double>&,
                                                                              const flight<2, double>&);
-extern template std::optional<flight_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
+extern template std::optional<impact_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
                                                                              const flight<3, double>&);
-extern template flight_time<2, float> enclosed_exactly(flight_event<2, float>);
-extern template flight_time<3, float> enclosed_exactly(flight_event<3, float>);
-extern template flight_time<2, double> enclosed_exactly(flight_event<2, double>);
-extern template flight_time<3, double> enclosed_exactly(flight_event<3, double>);
 
 } // namespace graze::inline v0_1::detail

@@ -26,7 +26,8 @@ struct enclosure {
     double error = unknown;
 
     [[nodiscard]] constexpr bool is_known() const noexcept { return error < unknown; }
-    [[nodiscard]] constexpr bool is_zero() const noexcept { return (bits_of(near) | bits_of(error)) == 0; }
+    // Whether it is one number.
+    [[nodiscard]] constexpr bool is_point() const noexcept { return bits_of(error) == 0; }
     [[nodiscard]] constexpr double lower() const noexcept { return as_stored(near - error); }
     [[nodiscard]] constexpr double upper() const noexcept { return as_stored(near + error); }
 
@@ -73,8 +74,37 @@ struct enclosure {
     return {time, error * inverse_or_more(root) + 0x1p-45 * time};
 }
 
+// Around τ = c/d, d = -h + √D, as above but from any approximation of D, and close for a small √D too: with error_root
+// >= error_d + error_h √D and D̂ > 8 error_root,
+//   |τ - t̂| <= 7/6 (error_c + t̂ error_root/ŝ)/d̂ + 2^-46 t̂.
+[[nodiscard]] inline enclosure enclose_closely(double c, double h, double discriminant, double error_c, double error_h,
+                                               double error_d) noexcept {
+    const double root = fence(plain_sqrt(discriminant));
+    const double error_root = error_d + 1.01 * error_h * root;
+    const double denominator = fence(root - h);
+    const double time = fence(root_stable{}(c, h, root));
+    if (!(8 * error_root < discriminant) ||
+        !(has_error_free_doubles || (std::fabs(root * root - discriminant) <= 0x1p-48 * discriminant &&
+                                     std::fabs(time * denominator - c) <= 0x1p-48 * c))) {
+        return {};
+    }
+    const double of_root = time * (error_root * inverse_or_more(root));
+    return {time, 1.25 * ((error_c + of_root) * inverse_or_more(denominator)) + 0x1p-45 * time};
+}
+
+// start + τ, τ in the enclosure given. A sum is off by at most 2^-52 of itself in any rounding mode, and by what a mode
+// makes zero where it is subnormal, as it does with a start, a subnormal T.
+template <class T>
+[[nodiscard]] inline enclosure counted_from(double start, const enclosure& e) noexcept {
+    constexpr double flushed = std::is_same_v<T, float> ? 0x1p-124 : 0x1p-1020;
+    const double near = start + e.near;
+    const double error = (1 + 0x1p-49) * e.error + (0x1p-48 * std::fabs(near) + flushed);
+    return e.is_known() && error < 0x1p1000 ? enclosure{near, error} : enclosure{};
+}
+
 // Around the smaller root of an exact quadratic with a > 0, h < 0, c >= 0 and D >= 0 whose unit of time is 2^unit.
 // Every approximation is right to 2^-50, no two of them cancel: τ is right to 2^-45.
+// A point: they touch.
 template <class Q>
 [[nodiscard]] inline enclosure enclose(const Q& q, int unit) noexcept {
     if (sign(q.c) == 0) {

@@ -1,43 +1,73 @@
-// A collision as the smaller root of an exact quadratic, whatever met whatever.
+// A collision as numbers: what met, whatever met whatever and since when it was on its way.
 #pragma once
 
-#include <graze/formula/root_order.hpp>
 #include <graze/formula/wall_encounter.hpp>
+#include <graze/pair/moving.hpp>
 #include <graze/pair/pair.hpp>
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdint>
 
 namespace graze::inline v0_1::detail {
 
 enum class event_kind : std::uint8_t { balls, plane, face, edge, corner };
 
-// What met, as numbers: the packed row of its pair (the rest of the array is not used), and which feature of a wall.
+template <int N>
+[[nodiscard]] constexpr event_kind kind_of(feature f) noexcept {
+    return f == feature::face ? event_kind::face : f == feature::edge ? event_kind::edge : event_kind::corner;
+}
+
+// The packed row of a pair, then the epochs of what moves in it; the rest of the array is not used. And which feature
+// of a wall. An event that is at its start (overlap) overlaps or touches then.
 template <int N, class T>
 struct event {
-    static constexpr std::size_t capacity = std::max(
-        {two_balls<N>::lengths + two_balls<N>::velocities, ball_and_wall<N>::lengths + ball_and_wall<N>::velocities,
-         ball_and_plane<N>::lengths + ball_and_plane<N>::velocities + ball_and_plane<N>::normals});
+    template <class P>
+    static constexpr std::size_t numbers = P::lengths + P::velocities + P::normals;
+    template <class P>
+    static constexpr std::size_t size = numbers<P> + (std::floating_point<T> ? P::epochs : 0);
+    static constexpr std::size_t capacity =
+        std::max({size<two_balls<N>>, size<ball_and_wall<N>>, size<ball_and_plane<N>>});
 
     std::array<T, capacity> row;
     event_kind kind;
     std::int8_t index;
     bool overlap;
+    bool timed;           // whether it is of flights, and has epochs
     bool nearest = false; // whether the enclosure of the time is around the number that it is rounded to
 
-    template <class P, class Y>
-    constexpr event(P, const ball<N, T>& x, const Y& y, event_kind what, int which, bool inside) noexcept
-        : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside) {
-        P::pack(row.data(), x, y);
-        std::fill(row.begin() + P::lengths + P::velocities + P::normals, row.end(), T(0));
+    // x: a ball or a flight; y: another one, or what stands still.
+    template <class P, class X, class Y>
+    constexpr event(P, const X& x, const Y& y, event_kind what, int which, bool inside) noexcept
+        : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside), timed(is_flight<X>) {
+        P::pack(row.data(), state_of(x), state_of(y));
+        std::fill(row.begin() + numbers<P>, row.end(), T(0));
+        if constexpr (is_flight<X>) {
+            row[numbers<P>] = x.since;
+            if constexpr (is_flight<Y>) {
+                row[numbers<P> + 1] = y.since;
+            }
+        }
+    }
+
+    // Of the pair's two things, as those of a pair kind P: what stands still is there since the other is.
+    template <class P>
+    [[nodiscard]] constexpr std::array<T, 2> since(P) const noexcept {
+        if constexpr (std::floating_point<T>) {
+            return {row[numbers<P>], row[numbers<P> + P::epochs - 1]};
+        } else {
+            return {};
+        }
+    }
+    // The instant from which on both are on their way.
+    [[nodiscard]] constexpr T start() const noexcept {
+        return !timed                      ? T(0)
+               : kind == event_kind::balls ? start_of(since(two_balls<N>{}))
+               : kind == event_kind::plane ? start_of(since(ball_and_plane<N>{}))
+                                           : start_of(since(ball_and_wall<N>{}));
     }
 };
-
-template <int N>
-[[nodiscard]] constexpr event_kind kind_of(feature f) noexcept {
-    return f == feature::face ? event_kind::face : f == feature::edge ? event_kind::edge : event_kind::corner;
-}
 
 // f(P{}) with the pair kind of an event.
 template <int N, class F>
@@ -63,62 +93,6 @@ template <int N, class P, class M, class F>
     } else {
         return use(quadratic_of(m));
     }
-}
-
-using big_quadratic = quadratic<big_integer, big_integer, big_integer>;
-
-// The quadratic of an event whose inputs have been lifted, in the one type that holds all of them.
-template <int N, class T, class P, class Inputs>
-[[nodiscard]] constexpr big_quadratic big_quadratic_of(const event<N, T>& e, P, const Inputs& in) {
-    const auto motion = P::template motion<big_integer>(in);
-    return with_quadratic<N, P>(e.kind, e.index, motion, [&](const auto& q) {
-        return big_quadratic{q.a, q.h, e.overlap ? big_integer() : q.c};
-    });
-}
-
-// The sign of τ(x) - τ(y).
-template <int N, class T>
-[[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const event<N, T>& y) {
-    return with_pair<N>(x.kind, [&]<class P>(P p) {
-        return with_pair<N>(y.kind, [&]<class R>(R r) {
-            auto inputs_x = lift_row<P>(x.row);
-            auto inputs_y = lift_row<R>(y.row);
-            align(inputs_x.length, inputs_y.length);
-            align(inputs_x.velocity, inputs_y.velocity);
-            if constexpr (std::is_same_v<P, two_balls<N>> && std::is_same_v<R, two_balls<N>>) {
-                const auto in = [&]<class I>() {
-                    auto q = quadratic_of(P::template motion<I>(inputs_x));
-                    auto s = quadratic_of(P::template motion<I>(inputs_y));
-                    using C = decltype(q.c);
-                    return root_order{}(quadratic{q.a, q.h, x.overlap ? C(0) : q.c},
-                                        quadratic{s.a, s.h, y.overlap ? C(0) : s.c});
-                };
-                const int width = std::max(inputs_x.width(), inputs_y.width());
-                if (width <= one_limb_width) {
-                    return in.template operator()<integer<one_limb_width>>();
-                }
-            }
-            exact_workspace room;
-            inputs_x.use(room);
-            inputs_y.use(room);
-            return root_order{}(big_quadratic_of(x, p, inputs_x), big_quadratic_of(y, r, inputs_y));
-        });
-    });
-}
-
-// The sign of τ(x) - m, m finite. m = M 2^j in the event's unit of time.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const binary& m) {
-    return with_pair<N>(x.kind, [&]<class P>(P p) {
-        auto inputs = lift_row<P>(x.row);
-        const int power = m.exponent - (inputs.length.exponent - inputs.velocity.exponent);
-        exact_workspace room;
-        inputs.use(room);
-        const auto numerator = big_integer::from_shifted(room, m.significand, power > 0 ? power : 0);
-        const auto denominator = big_integer::from_shifted(room, 1, power < 0 ? -power : 0);
-        const big_quadratic q = big_quadratic_of(x, p, inputs);
-        return root_against(sign(value_at{}(q, numerator, denominator)), sign(slope_at{}(q, numerator, denominator)));
-    });
 }
 
 } // namespace graze::inline v0_1::detail

@@ -100,7 +100,7 @@ template <class... B>
 template <class L>
 struct newton_step {
     number_of<L> t1, error, sensitivity, per_time;
-    condition_of<L> good;
+    condition_of<L> good, sharp;
 };
 
 // τ = t0 + t1 with an error of at most `error`, if good.
@@ -113,28 +113,32 @@ struct fast_approach {
     double error;
     double sensitivity; // γ >= (L V/σ)²
     double per_time;    // a/σ: what an error of the time is to σ, relatively
-    bool good;
+    bool good;          // whether the time is known
+    bool sharp;         // whether it is close enough for the bounds of a contact
 
     [[nodiscard]] bounded<double> time() const noexcept { return {t0.value[0], t1, error}; }
 };
 
 // The smaller root τ near t0, for D > 0. Let L² = |Δx|² + R², V = |Δu|, y = Δx + Δu t0, f = |y|² - R² and σ = -y·Δu.
 // For σ > 0 the smaller root is t0 + δ with δ = (f + V² δ²)/(2σ) and |δ| <= |f|/σ (as D = σ² - V² f > 0). t1 = f/(2σ)
-// with computed f and σ. `good` means that γ < 2^40 and |t1| < 2^-50 L²/σ (so that σ > 0, and V² |t1|/σ < 2^-50 γ <
-// 2^-10), for the computed values, and that L² and V² are in ranges where nothing over- or underflows that matters.
-// Then
-//   |y|² < 1.0022 R², so σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the balls are apart), t0 < 1.43 L/V,
-//     and with m as above, |m| <= 2.25 L;
+// with computed f and σ. `good` means that V² |t1|/σ < 2^-10, σ > 0 and γ < 2^80, for the computed values, and that L²
+// and V² are in ranges where nothing over- or underflows that matters. Then
+//   |f| <= 2.003 σ² V^-2 2^-10 <= 2^-8.99 |y|², so |y|² < 1.0022 R², σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the
+//   balls
+//     are apart), t0 < 1.43 L/V, and with m as above, |m| <= 2.25 L;
 //   |σ̂ - σ| <= 3.01 u |y| V + u (|y| V + 2.25·3.02 L V) <= 10 u L V < 2^-9 σ;
 //   the low terms of f add up to at most u (1 + 1 + 2.02 + 2.01) R² + 2.01·3.02 u |m| R <= 18.1 u L R (errors of the
 //     squares, of R², of the sums, R's error, and 2 yl yh), with at most 6 roundings each: 109 u² L R; y's error makes
 //     2.01 R·7.01 u² |m| <= 32 u² L R; the difference that cancels adds 18 u² L R and, with f's last rounding, 2 u |f|;
 //     what is left out, |yl|² and R's error squared, is at most (3.02·2.25)² u² L² + u² R² <= 47 u² L². Together
 //     |f̂ - f| <= 163 u² L² + 2 u |f|;
-//   |τ - t0 - t1| <= (163 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), and L V/σ <= 0.715 γ, 1 <=
-//     0.51 γ: below (2^-99 L² + 5 V² t1²)/σ + 16 u γ |t1|, roundings of this and of t1 ± error included, and that, by
-//     V² |t1|/σ < 2^-50 γ, below error := 2^-99 L²/σ + (1.25 + 0.5 + 2^-4) 2^-48 γ |t1|.
-// So error >= 31 u |t1| and error >= 2^-99.1 t0, which further bounds rest on.
+//   V |δ| <= 2.01 V |t1| + 163 u² L² V/σ, of which the last is at most 163 u² γ < 2^-18 of what it comes from, so that
+//   |τ - t0 - t1| <= (1.02·163 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), where 10.2 u L V |t1|
+//   <=
+//     5.1 (u² L² + V² t1²): below (89 u² L² + 7.2 V² t1²)/σ + 4 u |t1|, and that, roundings of this and of t1 ± error
+//     included, below error := 2^-99 L²/σ + (8 V² |t1|/σ + 2^-48) |t1|.
+// So error >= 31 u |t1| and error >= 2^-99.1 t0, on which further bounds rest; these also need γ < 2^40 and |t1| <
+// 2^-50 L²/σ (sharp), and then 1 <= 0.51 γ and L V/σ <= 0.715 γ.
 //
 // length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
 // length2 more in f, 175 in place of 163, and error bounds it still.
@@ -156,10 +160,14 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
     const number way = length2 * inverse;
     const number sensitivity = per_time * way;
     const number magnitude = absolute(t1);
-    const number error = settled(0x1p-99 * way + magnitude * (0x1.dp-48 * sensitivity));
-    return {t1, error, sensitivity, per_time,
-            hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), sensitivity < 0x1p40,
-                          0x1p50 * magnitude < way)};
+    const number error = settled(0x1p-99 * way + magnitude * (8 * (per_time * magnitude) + 0x1p-48));
+    return {t1,
+            error,
+            sensitivity,
+            per_time,
+            hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), sensitivity < 0x1p80,
+                          0x1p10 * (speed2 * magnitude) < sigma),
+            hold_together(sensitivity < 0x1p40, 0x1p50 * magnitude < way)};
 }
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m, double time,
@@ -175,6 +183,7 @@ template <bool Fused>
     r.sensitivity = step.sensitivity;
     r.per_time = step.per_time;
     r.good = step.good;
+    r.sharp = step.sharp;
     return r;
 }
 

@@ -3,7 +3,7 @@
 
 #include <graze/exact/surd.hpp>
 #include <graze/time/enclosure.hpp>
-#include <graze/time/event.hpp>
+#include <graze/time/exact_event.hpp>
 #include <graze/time/fast_time.hpp>
 #include <graze/time/further_time.hpp>
 
@@ -20,23 +20,6 @@ template <class M>
 }
 template <class M>
 using surd_integer_for = decltype(surd_integer_of(std::declval<M>()));
-
-// Times that count from the instant of the positions: way, which at the given speed takes the time, as it is.
-struct from_now {
-    template <class W, class S>
-    [[nodiscard]] constexpr const W& operator()(const W& way, const S&) const noexcept {
-        return way;
-    }
-};
-// And from an instant that is earlier by `start`.
-template <class I>
-struct from_earlier {
-    I start;
-    template <class W, class S>
-    [[nodiscard]] constexpr auto operator()(const W& way, const S& speed) const {
-        return way + start * speed;
-    }
-};
 
 // The smaller root (-h - √D)/a of a quadratic with a > 0, in units of 2^unit.
 template <class T, class Z, class A, class H, class From = from_now>
@@ -68,11 +51,8 @@ template <class T, class M, class From = from_now>
 [[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
     const auto q = quadratic_of(m);
     const radicand<surd_integer_for<M>> d(discriminant_halved{}(q));
-    if constexpr (std::is_same_v<From, from_now>) {
-        return round_root_from_now<T>(q, d, unit, mode);
-    } else {
-        return round_root<T>(q.a, q.h, d, unit, mode, counted);
-    }
+    return counted.is_now() ? round_root_from_now<T>(q, d, unit, mode)
+                            : round_root<T>(q.a, q.h, d, unit, mode, counted);
 }
 
 // Of an event of a wall.
@@ -107,37 +87,40 @@ template <class T, int N, class P, class M, class From = from_now>
     }
 }
 
-// The time of an event, from its inputs.
+// The time of an event that is after its start, from its inputs.
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] constexpr T round_exactly(const event<N, U>& e, rounding mode) {
-    if (e.overlap) {
-        return T(0);
-    }
-    return with_pair<N>(e.kind, [&]<class P>(P) {
-        const auto inputs = lift_row<P>(e.row);
-        const int unit = inputs.length.exponent - inputs.velocity.exponent;
-        return with_exact_motion<P>(
-            inputs, [&](const auto& m) { return round_pair_time<T, N, P>(e.kind, e.index, m, unit, mode); });
+    return with_exact_event(e, [&]<class P>(P, const auto& m, const auto& counted, int unit) {
+        return round_pair_time<T, N, P>(e.kind, e.index, m, unit, mode, counted);
     });
 }
 
-// The two balls of an event's row.
-template <int N, class U>
-[[nodiscard]] constexpr ball<N, U> ball_in(const event<N, U>& e, int which) noexcept {
-    ball<N, U> b;
-    for (int i = 0; i < N; ++i) {
-        b.position[i] = e.row[static_cast<std::size_t>(which * N + i)];
-        b.velocity[i] = e.row[two_balls<N>::lengths + static_cast<std::size_t>(which * N + i)];
+// A mover of an event of two.
+template <moving B, int N, class U>
+[[nodiscard]] constexpr B mover_in(const event<N, U>& e, std::size_t which) noexcept {
+    if constexpr (is_flight<B>) {
+        return {mover_in<ball<N, U>>(e, which), e.since(two_balls<N>{})[which]};
+    } else {
+        B b;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) {
+            b.position[static_cast<int>(i)] = e.row[which * N + i];
+            b.velocity[static_cast<int>(i)] = e.row[two_balls<N>::lengths + which * N + i];
+        }
+        b.radius = e.row[2 * N + which];
+        return b;
     }
-    b.radius = e.row[static_cast<std::size_t>(2 * N + which)];
-    return b;
 }
 
-// The time of two balls by double words, and by integers where they leave a doubt.
+// The time of two movers by doubles and double words, and by integers where they leave a doubt.
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] T round_further(const event<N, U>& e, rounding mode) {
     if constexpr (std::is_floating_point_v<U>) {
-        if (const auto rounded = round_further_time<T>(find_further_time(ball_in(e, 0), ball_in(e, 1)), mode)) {
+        const auto found = [&]<class B>(std::type_identity<B>, tried before) {
+            return find_further_time(mover_in<B>(e, 0), mover_in<B>(e, 1), before);
+        };
+        const further_time t = e.timed ? found(std::type_identity<flight<N, U>>{}, tried::time)
+                                       : found(std::type_identity<ball<N, U>>{}, tried::step);
+        if (const auto rounded = round_further_time<T>(t, mode)) {
             return *rounded;
         }
     }
@@ -158,7 +141,7 @@ struct nearest_time {
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] T operator()(std::bool_constant<Fused> fused) const {
-        const auto found = time_by_doubles<N, U>{e->row.data(), time}(fused);
+        const auto found = time_of_row<N, U>{e->row.data(), time}(fused);
         const ends<double> interval = ends_of<T>(found.time);
         const bool to_nearest = std::is_same_v<U, float> ? rounds_to_nearest() : adds_to_nearest();
         if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
@@ -186,7 +169,7 @@ template <class T, int N, class U>
 [[nodiscard, gnu::always_inline]] constexpr inline T round_time(const event<N, U>& e, const enclosure& bounds,
                                                                 rounding mode) {
     if (e.overlap) {
-        return T(0);
+        return static_cast<T>(e.start());
     }
     if (e.nearest && mode == rounding::nearest) {
         if constexpr (std::is_same_v<T, double>) {
@@ -204,7 +187,7 @@ template <class T, int N, class U>
     }
     if (!std::is_constant_evaluated()) {
         if constexpr (is_rounded_by_doubles<U>) { // what nearly every time takes
-            if (mode == rounding::nearest && e.kind == event_kind::balls) [[likely]] {
+            if (mode == rounding::nearest && e.kind == event_kind::balls && !e.timed) [[likely]] {
                 return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
             }
         }

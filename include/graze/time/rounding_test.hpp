@@ -1,9 +1,12 @@
 // Whether all numbers of an interval round to the same one.
 #pragma once
 
+#include <graze/exact/binary.hpp>
+#include <graze/exact/rounding.hpp>
 #include <graze/machine/error_free.hpp>
 #include <graze/machine/lanes.hpp>
 
+#include <optional>
 #include <type_traits>
 
 namespace graze::inline v0_1::detail {
@@ -29,10 +32,10 @@ template <class T, class V>
     return {settled(x.high + settled(x.low - error)), settled(x.high + settled(x.low + error))};
 }
 
-// What is added to an error for what underflows on the way. Lengths, velocities and masses are within 2^±100, 2^±100
-// and 2^±200 where it is used, and 1/R is below 2^133: a loss of 2^-1071 in y is below 2^-930 in a normal and 2^-830 in
-// a velocity. Results below 2^-747 are not certain then, and no exact zero is.
-inline constexpr double underflow = 0x1p-800;
+// What is added to an error for what underflows on the way. Lengths, velocities and masses are within 2^±150, 2^±150
+// and 2^±200 where it is used, and 1/R is below 2^203: a loss of 2^-1071 in y is below 2^-860 in a normal and 2^-710 in
+// a velocity. Results below 2^-647 are not certain then, and no exact zero is.
+inline constexpr double underflow = 0x1p-700;
 
 // Whether both ends round to the same T, which is not a zero (of which the sign would be open): then every number
 // between them does, since rounding is monotonic.
@@ -55,6 +58,27 @@ template <class T>
 #endif
     return static_cast<unsigned>(agree<T>({x.lower[0], x.upper[0]})) |
            static_cast<unsigned>(agree<T>({x.lower[1], x.upper[1]})) << 1;
+}
+
+// A positive number rounded to nearest, downward or upward; empty where its bounds leave a doubt, which for directed
+// modes they always do of floats.
+template <class T>
+[[nodiscard]] inline std::optional<T> rounded_without_doubt(const bounded<double>& x, rounding mode) noexcept {
+    if (mode == rounding::nearest) {
+        const ends<double> interval = ends_of<T>(x);
+        return agree<T>(interval) ? std::optional<T>(static_cast<T>(interval.upper)) : std::nullopt;
+    }
+    if constexpr (std::is_same_v<T, double>) {
+        // The number is r + rest ± error, r the nearest double: on the side of r that the sign of rest tells.
+        const auto [r, rest] = two_sum(x.high, x.low);
+        if (r > 0x1p-900 && absolute(rest) > x.error) {
+            const std::uint64_t bits = bits_of(r);
+            const bool above = rest > 0;
+            return mode == rounding::downward ? std::bit_cast<double>(above ? bits : bits - 1)
+                                              : std::bit_cast<double>(above ? bits + 1 : bits);
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace graze::inline v0_1::detail

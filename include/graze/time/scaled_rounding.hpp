@@ -42,11 +42,35 @@ template <class T>
     leading value = leading_of(sum, x.error);
     value.exponent += scale;
     bool doubtful = false;
-    const T nearest = round_estimate<T>(value, mode, [&](std::uint64_t, int) {
+    const T nearest = round_estimate<T>(value, mode, [&](std::uint64_t halves, int) {
+        if (mode == rounding::nearest && halves % 2 == 0) {
+            return 1; // on either side of a number of T it is the nearest
+        }
         doubtful = true;
         return 0;
     });
     return doubtful ? std::nullopt : std::optional<T>(nearest);
+}
+
+// x 2^scale rounded to nearest, by one comparison of its ends where both x and the result are normal numbers of T: of
+// floats only if nothing is scaled.
+template <class T>
+[[nodiscard]] inline std::optional<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {
+    if (scale == 0 || std::is_same_v<T, double>) {
+        const ends<double> interval = ends_of<T>(x);
+        if (agree<T>(interval)) {
+            if (scale == 0) {
+                return static_cast<T>(interval.upper);
+            }
+            const std::uint64_t bits = bits_of(interval.upper);
+            const int exponent = static_cast<int>(bits >> 52 & 0x7ff) + scale;
+            if (0 < exponent && exponent < 0x7ff) {
+                const auto shift = static_cast<std::uint64_t>(static_cast<std::int64_t>(scale)) << 52;
+                return static_cast<T>(std::bit_cast<double>(bits + shift));
+            }
+        }
+    }
+    return rounded_scaled<T>(x, scale, rounding::nearest);
 }
 
 } // namespace graze::inline v0_1::detail

@@ -13,42 +13,46 @@ namespace detail {
 
 // The time of an event with the enclosure that its exact quadratic gives.
 template <int N, class T>
-[[nodiscard]] constexpr impact_time<N, T> enclosed_exactly(event<N, T> e) {
+[[nodiscard, gnu::noinline]] constexpr impact_time<N, T> enclosed_exactly(event<N, T> e) {
     constexpr impact_time_key key{};
-    if (e.overlap) {
-        return impact_time<N, T>(key, enclosure{0, 0}, e);
-    }
     if (std::is_constant_evaluated()) {
-        return impact_time<N, T>(key, enclosure{}, e);
+        return impact_time<N, T>(key, e.overlap && !e.timed ? enclosure{0, 0} : enclosure{}, e);
     }
-    const enclosure bounds = with_pair<N>(e.kind, [&]<class P>(P) {
-        const auto inputs = lift_row<P>(e.row);
-        const int unit = inputs.length.exponent - inputs.velocity.exponent;
-        return with_exact_motion<P>(inputs, [&](const auto& m) {
+    const auto start = static_cast<double>(e.start());
+    if (!e.overlap) {
+        const enclosure bounds = with_exact_event(e, [&]<class P>(P, const auto& m, const auto&, int unit) {
             return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) { return enclose(q, unit); });
         });
-    });
-    e.overlap = bounds.is_zero(); // they touch
-    return impact_time<N, T>(key, bounds, e);
+        e.overlap = bounds.is_point(); // they touch
+        if (!e.overlap) {
+            return impact_time<N, T>(key, e.timed ? counted_from<T>(start, bounds) : bounds, e);
+        }
+    }
+    return impact_time<N, T>(key, enclosure{start, 0}, e);
 }
 
-// Of two balls that overlap.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>> time_of_overlap(const ball<N, T>& a,
-                                                                                        const ball<N, T>& b) {
-    return std::optional<impact_time<N, T>>(std::in_place, impact_time_key{}, enclosure{0, 0}, two_balls<N>{}, a, b,
-                                            event_kind::balls, 0, true);
+template <moving B>
+using time_of_movers = impact_time<dimension_of<B>, number_in<B>>;
+template <moving B>
+using event_of_movers = event<dimension_of<B>, number_in<B>>;
+
+// Of two movers that overlap, at their start.
+template <moving B>
+[[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_overlap(const B& a, const B& b) {
+    const auto start = static_cast<double>(start_of(epochs_of(a, b)));
+    return std::optional<time_of_movers<B>>(std::in_place, impact_time_key{}, enclosure{start, 0},
+                                            two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0, true);
 }
 
-// The time of two balls of which the filter is not certain, or is certain that they hit but not closely enough when.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>> time_of_impact_exactly(const ball<N, T>& a,
-                                                                                               const ball<N, T>& b) {
+// The time of two movers by integers.
+template <moving B>
+[[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_impact_exactly(const B& a, const B& b) {
     const encounter what = classify_exactly(a, b);
     if (!is_collision(what)) {
         return std::nullopt;
     }
-    return enclosed_exactly(event<N, T>(two_balls<N>{}, a, b, event_kind::balls, 0, what == encounter::overlap));
+    return enclosed_exactly(
+        event_of_movers<B>(two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0, what == encounter::overlap));
 }
 
 // An enclosure around a time in units of 2^unit that is further rounded to `nearest`, unknown beyond 2^±900.
@@ -60,35 +64,98 @@ template <int N, class T>
     return {nearest, 0x1p-49 * near + (t.unit == 0 ? t.time.error : 0)};
 }
 
-// The same by double words as far as they reach. Time and stage.
-template <int N, class T>
+// The time of two movers of which the filter is not certain, or is certain that they hit but not closely enough when:
+// by all further stages. Time and stage.
+template <moving B>
 struct further_impact {
-    std::optional<impact_time<N, T>> time;
+    std::optional<time_of_movers<B>> time;
     stage decided_by;
 };
-template <int N, class T>
-[[nodiscard, gnu::noinline]] constexpr further_impact<N, T> time_of_impact_further(const ball<N, T>& a,
-                                                                                   const ball<N, T>& b) {
+template <moving B>
+[[nodiscard, gnu::noinline]] constexpr further_impact<B> time_of_impact_further(const B& a, const B& b) {
+    using T = number_in<B>;
     if constexpr (std::is_floating_point_v<T>) {
-        if (!std::is_constant_evaluated() && plain_radii(a.radius, b.radius)) {
-            const further_time t = find_further_time(a, b);
+        if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
+            const further_time t = find_further_time(a, b, tried::filter);
             if (t.what == static_cast<int>(encounter::recede) || t.what == static_cast<int>(encounter::miss)) {
-                return {std::nullopt, stage::double_word};
+                return {std::nullopt, t.decided_by};
             }
             if (t.what == static_cast<int>(encounter::overlap)) {
-                return {time_of_overlap(a, b), stage::double_word};
+                return {time_of_overlap(a, b), t.decided_by};
             }
             if (t.what == static_cast<int>(encounter::hit)) {
-                if (const auto nearest = round_further_time<double>(t, rounding::nearest);
-                    nearest && is_finite_input(*nearest)) {
-                    event<N, T> e(two_balls<N>{}, a, b, event_kind::balls, 0, false);
+                event_of_movers<B> e(two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0, false);
+                if (t.bounds.is_known()) {
+                    return {time_of_movers<B>(impact_time_key{}, t.bounds, e), t.decided_by};
+                }
+                const auto nearest = round_further_time<double>(t, rounding::nearest);
+                if (nearest && is_finite_input(*nearest)) {
                     e.nearest = std::is_same_v<T, double>;
-                    return {impact_time<N, T>(impact_time_key{}, enclosure_of(t, *nearest), e), stage::double_word};
+                    return {time_of_movers<B>(impact_time_key{}, enclosure_of(t, *nearest), e), t.decided_by};
                 }
             }
         }
     }
     return {time_of_impact_exactly(a, b), stage::exact};
+}
+
+// From their start on, of two movers that hit clearly. error_root/a is at most (K_D + 3/2 K_h) length²: √D <= |h| <= √2
+// length·velocity, of balls without the √2.
+template <moving B, class Started>
+[[nodiscard, gnu::always_inline]] inline enclosure enclosure_from_start(const Started& started,
+                                                                        double discriminant) noexcept {
+    using constant = filter_of<B>;
+    constexpr double root = constant::discriminant + (is_flight<B> ? 1.5 : 1) * constant::h;
+    static_assert(Started::clear * constant::discriminant >= 8 * root);
+    return enclose(started.q.c, started.q.h, discriminant, 1.5 * (constant::c + root) * started.length2);
+}
+
+template <moving B, class Observer>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>> time_of_two(const B& a, const B& b,
+                                                                                                Observer&& observer) {
+    using T = number_in<B>;
+    if (!std::is_constant_evaluated()) {
+        if (!has_usual_size(a, b)) [[unlikely]] {
+            auto further = time_of_impact_further(a, b);
+            observer(further.decided_by);
+            return further.time;
+        }
+        // Half of all pairs part; of the others a hit takes one branch, since what else is asked never differs.
+        const auto started = start_filter(a, b);
+        if (started.is_parting()) {
+            observer(stage::filter);
+            return std::nullopt;
+        }
+        if (const auto hit = started.find_clear_hit(); hit.certain) {
+            observer(stage::filter);
+            const enclosure from_start = enclosure_from_start<B>(started, hit.discriminant);
+            if (has_error_free_doubles || from_start.is_known()) [[likely]] {
+                enclosure bounds = from_start;
+                if constexpr (is_flight<B>) {
+                    const T& start = as_stored(a.since) < as_stored(b.since) ? b.since : a.since;
+                    bounds = counted_from<T>(static_cast<double>(as_stored(start)), from_start);
+                }
+                return std::optional<time_of_movers<B>>(std::in_place, impact_time_key{}, bounds,
+                                                        two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0,
+                                                        false);
+            }
+            return time_of_impact_further(a, b).time;
+        }
+        if (const auto f = started.finish(); f.certain) {
+            observer(stage::filter);
+            const encounter what = f.what();
+            if (!is_collision(what)) { // balls that part as well, of which x87 may be certain only now
+                return std::nullopt;
+            }
+            if (what == encounter::overlap) {
+                return time_of_overlap(a, b);
+            }
+            return time_of_impact_further(a, b).time; // nearly a graze
+        }
+    }
+    auto further = time_of_impact_further(a, b);
+    observer(further.decided_by);
+    return further.time;
 }
 
 } // namespace detail
@@ -101,47 +168,16 @@ template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
 time_of_impact(const ball<N, T>& a, const ball<N, T>& b, Observer&& observer = {}) {
-    if (!std::is_constant_evaluated()) {
-        if (!detail::has_usual_size(a, b)) [[unlikely]] {
-            auto further = detail::time_of_impact_further(a, b);
-            observer(further.decided_by);
-            return further.time;
-        }
-        // Half of all pairs part; of the others a hit takes one branch, since what else is asked never differs.
-        const auto started = detail::start_filter(a, b);
-        if (started.is_parting()) {
-            observer(stage::filter);
-            return std::nullopt;
-        }
-        if (const auto hit = started.find_clear_hit(); hit.certain) {
-            observer(stage::filter);
-            // error_root/a is at most (K_D + K_h) length²: √D <= |h| <= length·velocity.
-            using constant = detail::ball_filter<N, T>;
-            static_assert(started.clear * constant::discriminant >= 8 * (constant::discriminant + constant::h));
-            constexpr double error = 1.5 * (constant::c + constant::discriminant + constant::h);
-            const auto bounds = detail::enclose(started.q.c, started.q.h, hit.discriminant, error * started.length2);
-            if (detail::has_error_free_doubles || bounds.is_known()) [[likely]] {
-                return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
-                                                        detail::two_balls<N>{}, a, b, detail::event_kind::balls, 0,
-                                                        false);
-            }
-            return detail::time_of_impact_further(a, b).time;
-        }
-        if (const auto f = started.finish(); f.certain) {
-            observer(stage::filter);
-            const encounter what = f.what();
-            if (!is_collision(what)) { // balls that part as well, of which x87 may be certain only now
-                return std::nullopt;
-            }
-            if (what == encounter::overlap) {
-                return detail::time_of_overlap(a, b);
-            }
-            return detail::time_of_impact_further(a, b).time; // nearly a graze
-        }
-    }
-    auto further = detail::time_of_impact_further(a, b);
-    observer(further.decided_by);
-    return further.time;
+    return detail::time_of_two(a, b, observer);
+}
+
+// The exact time, not before both are on their way, at which two flights touch first; empty for recede and miss, t0 for
+// an overlap. Throws as classify does. Laws 1 to 6, 12 and 13.
+template <int N, std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<impact_time<N, T>>
+time_of_impact(const flight<N, T>& a, const flight<N, T>& b, Observer&& observer = {}) {
+    return detail::time_of_two(a, b, observer);
 }
 
 } // namespace graze::inline v0_1

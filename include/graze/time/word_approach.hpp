@@ -1,4 +1,4 @@
-// When two balls meet, in double words with a proven error, whatever cancels but ties.
+// When two movers meet, in double words with a proven error, whatever cancels but ties.
 //
 // u = 2^-53, doubles to nearest. What sums and products lose comes from word_rounding; errors are upper bounds, with
 // room for the roundings of their own expressions.
@@ -38,12 +38,15 @@ template <bool Fused>
 struct word_cross<Fused, 2> {
     using word = loose_word<Fused>;
     word value;
-    double error, moved; // moved: of its square
+    double error = 0, moved = 0; // moved: of its square
 
-    [[gnu::always_inline]] word_cross(const vec<2, word>& x, const vec<2, word>& y) noexcept {
+    word_cross() = default;
+
+    // off: what x is off by, times what y is.
+    [[gnu::always_inline]] word_cross(const vec<2, word>& x, const vec<2, word>& y, double off) noexcept {
         const auto z = difference_of_products(x[0], y[1], x[1], y[0]);
         value = z.value;
-        error = z.error;
+        error = z.error + off;
         moved = error * (2 * std::fabs(value.high) + error);
     }
     [[nodiscard, gnu::always_inline]] double size() const noexcept { return std::fabs(value.high); }
@@ -52,14 +55,16 @@ template <bool Fused>
 struct word_cross<Fused, 3> {
     using word = loose_word<Fused>;
     vec<3, word> value;
-    double error, moved;
+    double error = 0, moved = 0;
 
-    [[gnu::always_inline]] word_cross(const vec<3, word>& x, const vec<3, word>& y) noexcept {
+    word_cross() = default;
+
+    [[gnu::always_inline]] word_cross(const vec<3, word>& x, const vec<3, word>& y, double off) noexcept {
         const auto z0 = difference_of_products(x[1], y[2], x[2], y[1]);
         const auto z1 = difference_of_products(x[2], y[0], x[0], y[2]);
         const auto z2 = difference_of_products(x[0], y[1], x[1], y[0]);
         value = {{z0.value, z1.value, z2.value}};
-        error = (z0.error + z1.error) + z2.error;
+        error = ((z0.error + z1.error) + z2.error) + off;
         moved = error * (2 * size() + error);
     }
     [[nodiscard, gnu::always_inline]] double size() const noexcept {
@@ -85,28 +90,56 @@ struct word_root {
     }
 };
 
-// Two balls in words: the encounter as far as it is certain, and of a hit a, √D and the time.
-template <bool Fused, int N>
+// Σ|x_i| of the leading parts.
+template <int N, class V>
+[[nodiscard, gnu::always_inline]] inline double sum_of_sizes(const vec<N, V>& x) noexcept {
+    double sum = std::fabs(x[0].high);
+    for (int i = 1; i < N; ++i) {
+        sum += std::fabs(x[i].high);
+    }
+    return sum;
+}
+
+// Two movers in words: the encounter as far as it is certain, and of a hit a, √D and the time from their start.
+template <bool Fused, moving B>
 struct word_approach {
+    static constexpr int N = dimension_of<B>;
     using word = loose_word<Fused>;
 
-    relative_motion<N, word, word, word> motion;
+    relative_motion<N, word, word, word> motion; // in order
+    relative_motion<N, term_size, term_size, term_size> size;
+    double off = 0; // what Δx is off by in all: of balls nothing
     word_cross<Fused, N> cross;
     word a, root, time;
     double root_error = 0, time_error = 0;
     double length2 = 0;
     bool in_range = false;
     bool good = false; // whether errors of root and time are known
-    int what;          // an encounter, or undecided
+    int what = undecided;
 
-    [[gnu::always_inline]] word_approach(const ball<N, double>& x, const ball<N, double>& y) noexcept
-        : motion(word_motion<Fused>(x, y)), cross(motion.dx, motion.du), a(graze::squared_norm(motion.du)) {
+    [[gnu::always_inline]] word_approach(const B& x, const B& y) noexcept {
+        in_range = with_sizes_at_start<inputs_in_words<Fused>>(
+            x, y, [this](const auto& m, const auto& s, bool epochs) __attribute__((always_inline)) {
+                motion = m;
+                size = s;
+                return epochs;
+            });
+        if constexpr (is_flight<B>) {
+            constexpr double k = of_words::bound(analysed_movers<true>::value<N, of_words>().dx[0]);
+            for (int i = 0; i < N; ++i) {
+                motion.dx[i] = as_input(motion.dx[i]);
+                off += k * size.dx[i].value;
+            }
+            off += 0x1p-900;
+        }
+        cross = word_cross<Fused, N>(motion.dx, motion.du, 1.0001 * off * sum_of_sizes(motion.du));
+        a = graze::squared_norm(motion.du);
         what = decide();
     }
 
   private:
     [[nodiscard, gnu::always_inline]] int decide() noexcept {
-        const sized_motion<of_words, analysed_balls, N, word> sized(motion, size_of(motion));
+        const sized_movers<of_words, B, word> sized(motion, size, in_range);
         in_range = sized.in_range();
         length2 = sized.length2;
         if (!in_range) {
@@ -127,7 +160,8 @@ struct word_approach {
         }
         const double cross_size = cross.size();
         const double terms = sized.size.R.value * sized.size.R.value * sized.speed2 + cross_size * cross_size;
-        const double d_error = lagrange_bounds<of_words, analysed_balls, N>::of_rest * terms + cross.moved + sized.lost;
+        const double d_error =
+            lagrange_bounds<of_words, analysed_movers<false>, N>::of_rest * terms + cross.moved + sized.lost;
         const word loose = discriminant_of_cross{}(motion.R, a, cross.value);
         const word d(two_sum(loose.high, loose.low));
         if (!(std::fabs(d.high) > 2 * d_error)) {
@@ -159,7 +193,7 @@ struct word_approach {
         good = 16 * std::max(root_error, denominator_error) < root.high;
     }
 
-    // c of balls that nearly touch.
+    // c of movers that nearly touch.
     [[nodiscard, gnu::always_inline]] bounded_value<word> near_c(double lost) const noexcept {
         accurate_sum<Fused> sum;
         for (int i = 0; i < N; ++i) {
@@ -167,7 +201,8 @@ struct word_approach {
         }
         sum.add_square({motion.R.high, motion.R.low}, -1);
         const word c(sum.rounded());
-        return {c, 0x1p-104 * std::fabs(c.high) + 0x1p-142 * length2 + lost};
+        const double moved = 1.0001 * off * (2 * sum_of_sizes(motion.dx) + off);
+        return {c, 0x1p-104 * std::fabs(c.high) + 0x1p-142 * length2 + (moved + lost)};
     }
 };
 

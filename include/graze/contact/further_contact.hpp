@@ -1,0 +1,142 @@
+// The contact of two movers beyond the fast road: scaled where their units are odd, and in double words.
+#pragma once
+
+#include <graze/contact/word_contact.hpp>
+#include <graze/time/scaled_rounding.hpp>
+
+#include <bit>
+
+namespace graze::inline v0_1::detail {
+
+// Rounds components as they come, but keeps the time as it is too.
+template <int N>
+struct unscaled_components {
+    contact<N, double> c;
+    rounded_components<N, double> rounded{c};
+    bounded<double> time{};
+
+    [[gnu::always_inline]] void operator()(const bounded<double>& x, int number) noexcept {
+        if (number == 0) {
+            time = x;
+        }
+        rounded(x, number);
+    }
+    [[gnu::always_inline]] void operator()(const bounded<lanes>& x, int first, int second) noexcept {
+        rounded(x, first, second);
+    }
+};
+
+// to[i] = from[i] 2^power for those that are wanted, where both are normal numbers; says which.
+template <int N>
+[[nodiscard, gnu::always_inline]] inline parts scale_back(vec<N, double>& to, const vec<N, double>& from, part first,
+                                                          parts wanted, int power) noexcept {
+    parts done = 0;
+    for (int i = 0; i < N; ++i) {
+        const int number = static_cast<int>(first) + i;
+        const std::uint64_t bits = bits_of(from[i]);
+        const int field = static_cast<int>(bits >> 52 & 0x7ff);
+        const bool is_normal = field != 0 && 0 < field + power && field + power < 0x7ff;
+        if (is_normal && (wanted >> number & 1U) != 0) {
+            to[i] = std::bit_cast<double>(bits + (static_cast<std::uint64_t>(std::int64_t{power}) << 52));
+            done |= parts{1} << number;
+        }
+    }
+    return done;
+}
+
+// The same of all components, from units of lengths and velocities of 2^length and 2^velocity.
+template <int N>
+[[nodiscard]] parts scale_back(contact<N, double>& c, const unscaled_components<N>& x, parts wanted, int length,
+                               int velocity) noexcept {
+    wanted &= x.rounded.certain;
+    parts done = scale_back(c.position_a, x.c.position_a, part::position_a, wanted, length) |
+                 scale_back(c.position_b, x.c.position_b, part::position_b, wanted, length) |
+                 scale_back(c.normal, x.c.normal, part::normal, wanted, 0) |
+                 scale_back(c.velocity_a, x.c.velocity_a, part::velocity_a, wanted, velocity) |
+                 scale_back(c.velocity_b, x.c.velocity_b, part::velocity_b, wanted, velocity);
+    if (has_time(wanted)) {
+        if (const auto time = rounded_quickly<double>(x.time, length - velocity)) {
+            c.time = *time;
+            done |= 1;
+        }
+    }
+    return done;
+}
+
+// What becomes of two movers, as a number, by the stage given, and which components of their contact have been written.
+struct further_contact {
+    int what = undecided;
+    stage decided_by = stage::double_word;
+    parts certain = 0;
+};
+
+// Of movers whose units are odd, by the filter and doubles.
+template <moving B>
+[[nodiscard, gnu::noinline]] further_contact contact_scaled(contact<dimension_of<B>, double>& c, const B& a, const B& b,
+                                                            double mass_a, double mass_b) noexcept {
+    further_contact r;
+    if constexpr (has_error_free_doubles) {
+        const scaled_movers<B> s = scaled(a, b);
+        if (!s.known || !rounds_to_nearest()) {
+            return r;
+        }
+        const auto f = start_filter(s.a, s.b).finish();
+        if (!f.certain) {
+            return r;
+        }
+        r.what = static_cast<int>(f.what());
+        r.decided_by = stage::filter;
+        if (is_collision(f.what())) {
+            unscaled_components<dimension_of<B>> taken;
+            const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
+            if (with_best_products(contact_by_doubles<unscaled_components<dimension_of<B>>, B>{
+                    taken, s.a, s.b, mass_a, mass_b, near, f.what() == encounter::overlap})) {
+                r.certain = scale_back(c, taken, all_parts, s.length, s.velocity);
+            }
+        }
+    }
+    return r;
+}
+
+// In words: writes those of the wanted components that are certain. Of movers whose radii are not negative.
+template <int N, class T, moving B>
+[[nodiscard, gnu::noinline]] further_contact contact_by_words(contact<N, T>& c, parts wanted, const B& a, const B& b,
+                                                              double mass_a, double mass_b) noexcept {
+    further_contact r;
+    if constexpr (std::same_as<number_in<B>, float>) {
+        return keeps_subnormals() ? contact_by_words(c, wanted, in_doubles(a), in_doubles(b), mass_a, mass_b) : r;
+    } else if constexpr (has_error_free_doubles) {
+        if (!rounds_to_nearest()) {
+            return r;
+        }
+        if (has_usual_size(a, b)) {
+            contact<N, T> found;
+            rounded_components<N, T> taken{wanted == all_parts ? c : found};
+            const auto w =
+                with_best_products(contact_in_words<rounded_components<N, T>, B>{taken, a, b, mass_a, mass_b});
+            r.what = w.what;
+            r.certain = wanted & taken.certain;
+            if (wanted != all_parts) {
+                for (parts rest = r.certain; rest != 0; rest &= rest - 1) {
+                    const int number = std::countr_zero(rest);
+                    component(c, number) = component(found, number);
+                }
+            }
+            if (w.in_range) {
+                return r;
+            }
+        }
+        if constexpr (std::same_as<T, double>) { // floats are in range
+            if (const scaled_movers<B> s = scaled(a, b); s.known) {
+                unscaled_components<N> taken;
+                r.what =
+                    with_best_products(contact_in_words<unscaled_components<N>, B>{taken, s.a, s.b, mass_a, mass_b})
+                        .what;
+                r.certain = scale_back(c, taken, wanted, s.length, s.velocity);
+            }
+        }
+    }
+    return r;
+}
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,89 @@
+// Two movers in doubles, brought to a size at which their formulas neither over- nor underflow.
+#pragma once
+
+#include <graze/exact/approximate.hpp>
+#include <graze/exact/binary.hpp>
+#include <graze/machine/environment.hpp>
+#include <graze/machine/fence.hpp>
+#include <graze/pair/moving.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graze::inline v0_1::detail {
+
+// Lengths are 2^length and velocities 2^velocity times what they are in these movers. safe: whether a mode that reads
+// or writes subnormals as zeros takes less than 2^-110 of the largest length and velocity.
+template <class B>
+struct scaled_movers {
+    B a, b;
+    int length = 0, velocity = 0;
+    bool known = false;
+    bool safe = false;
+};
+
+// The largest magnitude of lengths and of velocities. A NaN may be left out.
+template <int N>
+[[nodiscard, gnu::always_inline]] inline double largest(const vec<N, double>& x, const vec<N, double>& y) noexcept {
+    double r = std::max(std::fabs(as_stored(x[0])), std::fabs(as_stored(y[0])));
+    for (int i = 1; i < N; ++i) {
+        r = std::max(r, std::max(std::fabs(as_stored(x[i])), std::fabs(as_stored(y[i]))));
+    }
+    return r;
+}
+template <int N>
+[[nodiscard, gnu::always_inline]] inline double largest_length(const ball<N, double>& a,
+                                                               const ball<N, double>& b) noexcept {
+    return std::max(largest(a.position, b.position),
+                    largest(vec<N, double>{{as_stored(a.radius)}}, vec<N, double>{{as_stored(b.radius)}}));
+}
+
+// The exponent by which a number is multiplied: the largest is then within [2^-52, 2).
+[[nodiscard]] inline int scale_of(double largest) noexcept {
+    return std::clamp(1023 - static_cast<int>(bits_of(largest) >> 52), -1022, 1023);
+}
+
+// By one power of two for all lengths and one for all velocities, chosen from the largest, which gives instants theirs;
+// of the others what is below 2^-1074 of that is lost. Not known when one is infinite.
+template <class B>
+[[nodiscard, gnu::always_inline]] inline scaled_movers<B> scaled(const B& a, const B& b) noexcept {
+    scaled_movers<B> r;
+    const double length = largest_length(state_of(a), state_of(b));
+    const double velocity = largest(state_of(a).velocity, state_of(b).velocity);
+    if (!(std::max(length, velocity) <= std::numeric_limits<double>::max())) {
+        return r;
+    }
+    const int up = scale_of(length);
+    const int faster = scale_of(velocity);
+    const double by = power_of_two(up);
+    const double speed = power_of_two(faster);
+    constexpr int N = dimension_of<B>;
+    const auto put = [&](ball<N, double> & to, const ball<N, double>& from) __attribute__((always_inline)) {
+        for (int i = 0; i < N; ++i) {
+            to.position[i] = as_stored(as_stored(from.position[i]) * by);
+            to.velocity[i] = as_stored(as_stored(from.velocity[i]) * speed);
+        }
+        to.radius = as_stored(as_stored(from.radius) * by);
+    };
+    if constexpr (is_flight<B>) {
+        put(r.a.state, a.state);
+        put(r.b.state, b.state);
+        if (up - faster < -1022 || up - faster > 1023) {
+            return r;
+        }
+        const double later = power_of_two(up - faster);
+        r.a.since = as_stored(as_stored(a.since) * later);
+        r.b.since = as_stored(as_stored(b.since) * later);
+    } else {
+        put(r.a, a);
+        put(r.b, b);
+    }
+    r.length = -up;
+    r.velocity = -faster;
+    r.known = true;
+    r.safe = std::min(length, velocity) > 0x1p-900;
+    return r;
+}
+
+} // namespace graze::inline v0_1::detail
