@@ -2,10 +2,10 @@
 #pragma once
 
 #include <graze/linear/vec.hpp>
+#include <graze/machine/failure.hpp>
 
 #include <array>
 #include <cstddef>
-#include <stdexcept>
 
 namespace graze::inline v0_1 {
 
@@ -81,7 +81,7 @@ template <int Digits>
 template <int Digits>
 constexpr void check_degrees(const basic_error_bound<Digits>& x, const basic_error_bound<Digits>& y) {
     if (x.degree != y.degree) {
-        throw std::logic_error("error_bound: a sum of quantities of different dimensions");
+        detail::fail<std::logic_error>("error_bound: a sum of quantities of different dimensions");
     }
 }
 

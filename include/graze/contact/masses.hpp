@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/exact/binary.hpp>
+#include <graze/machine/failure.hpp>
 #include <graze/pair/input_check.hpp>
 
 namespace graze::inline v0_1::detail {
@@ -18,7 +19,7 @@ namespace graze::inline v0_1::detail {
 
 // Never constexpr, as reject.
 [[noreturn]] inline void reject_infinite_masses(const char* a, const char* b) {
-    throw std::domain_error(std::string(b) + ": mass is infinite, as that of " + a + " is");
+    fail<std::domain_error>(std::string(b) + ": mass is infinite, as that of " + a + " is");
 }
 
 template <class T>

@@ -1,6 +1,7 @@
 // Integers whose width is in their type: sums and products are wider types, so that overflow is impossible.
 #pragma once
 
+#include <graze/machine/failure.hpp>
 #include <graze/machine/wide_multiply.hpp>
 #include <graze/number/traits.hpp>
 
@@ -51,7 +52,7 @@ class integer {
     template <std::same_as<int> I>
     requires(Bits < 8 * static_cast<int>(sizeof(int))) consteval integer(I value) {
         if (value >> Bits != (value < 0 ? -1 : 0) || -value >> Bits != (value > 0 ? -1 : 0)) {
-            throw "graze::integer: the constant does not fit";
+            detail::fail<std::logic_error>("graze::integer: the constant does not fit");
         }
         fill(value);
     }

@@ -1,10 +1,10 @@
 // p + q√d over an exact number type T: the type of τ, contact positions and velocities if T has no square root.
 #pragma once
 
+#include <graze/machine/failure.hpp>
 #include <graze/number/traits.hpp>
 
 #include <compare>
-#include <stdexcept>
 #include <utility>
 
 namespace graze::inline v0_1 {
@@ -36,7 +36,7 @@ class sqrt_extension {
     constexpr sqrt_extension(T p) : p_(std::move(p)), q_(0), d_(0) {}
     constexpr sqrt_extension(T p, T q, T d) : p_(std::move(p)), q_(std::move(q)), d_(std::move(d)) {
         if (graze::sign(d_) < 0) {
-            throw std::domain_error("sqrt_extension: negative radicand");
+            detail::fail<std::domain_error>("sqrt_extension: negative radicand");
         }
         if (graze::sign(d_) == 0) {
             q_ = T(0);
@@ -91,7 +91,7 @@ class sqrt_extension {
             return y.d_;
         }
         if (graze::sign(y.q_) != 0 && graze::sign(x.d_ - y.d_) != 0) {
-            throw std::domain_error("sqrt_extension: operands over different roots");
+            detail::fail<std::domain_error>("sqrt_extension: operands over different roots");
         }
         return x.d_;
     }

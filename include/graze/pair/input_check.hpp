@@ -2,19 +2,19 @@
 #pragma once
 
 #include <graze/exact/binary.hpp>
+#include <graze/machine/failure.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
-#include <stdexcept>
 #include <string>
 
 namespace graze::inline v0_1::detail {
 
 // Never constexpr: in a constant expression a bad input does not compile, and the compiler shows this call's arguments.
 [[noreturn]] inline void reject(const char* argument, const char* what) {
-    throw std::domain_error(std::string(argument) + ": " + what);
+    fail<std::domain_error>(std::string(argument) + ": " + what);
 }
 
 // Whether neither radius has its sign set, by their bits; -0 says no and is then looked at more closely.

@@ -4,8 +4,8 @@
 
 #include <graze/exact/binary.hpp>
 #include <graze/formula/solve_wall.hpp>
+#include <graze/machine/failure.hpp>
 
-#include <stdexcept>
 #include <string>
 
 namespace graze::inline v0_1 {
@@ -15,7 +15,7 @@ namespace detail {
 template <int N, class T>
 constexpr void require_radius(const ball<N, T>& b, const char* argument) {
     if (graze::sign(b.radius) < 0) {
-        throw std::domain_error(std::string(argument) + ": radius is negative");
+        detail::fail<std::domain_error>(std::string(argument) + ": radius is negative");
     }
 }
 
@@ -63,7 +63,7 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const b
     detail::require_radius(b, "ball");
     const auto m = relative_motion_of(b, p);
     if (graze::sign(graze::squared_norm(m.n)) == 0) {
-        throw std::domain_error("plane: normal is zero");
+        detail::fail<std::domain_error>("plane: normal is zero");
     }
     return encounter_of([&] { return graze::sign(plane_height{}(m)) * graze::sign(plane_speed{}(m)); },
                         [&] { return graze::sign(plane_clearance{}(m)); }, [] { return 1; });
@@ -74,11 +74,11 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const b
     const auto m = relative_motion_of(b, w);
     for (const auto& e : w.edge) {
         if (graze::sign(graze::squared_norm(e)) == 0) {
-            throw std::domain_error("wall: edge is zero");
+            detail::fail<std::domain_error>("wall: edge is zero");
         }
     }
     if (graze::sign(graze::squared_norm(m.n)) == 0) {
-        throw std::domain_error("wall: edges are parallel");
+        detail::fail<std::domain_error>("wall: edges are parallel");
     }
     detail::exact_signs<std::remove_cvref_t<decltype(m)>> signs(m);
     return wall_decision<N, decltype(signs)>(signs)().what;

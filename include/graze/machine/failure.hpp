@@ -1,0 +1,43 @@
+// How a procedure ends that cannot go on: by an exception or, where a unit is compiled without exceptions, with the
+// program.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+// Units of both kinds may be parts of one program. Procedures that the linker finds in several units are kept once,
+// from whichever unit; so that a unit with exceptions always gets its exception, the other kind throws too if any unit
+// can.
+namespace graze::inline v0_1::detail {
+
+#if defined(__cpp_exceptions)
+
+[[gnu::used]] inline void throw_domain_error(const char* message) { throw std::domain_error(message); }
+
+inline namespace with_exceptions {
+template <class Error>
+[[noreturn]] void fail(const std::string& message) {
+    throw Error(message);
+}
+} // namespace with_exceptions
+
+#else
+
+[[gnu::weak]] void throw_domain_error(const char* message); // of a unit with exceptions
+
+inline namespace without_exceptions {
+template <class Error>
+[[noreturn]] void fail(const std::string& message) {
+    if (throw_domain_error != nullptr) {
+        throw_domain_error(message.c_str());
+    }
+    std::fprintf(stderr, "%s\n", message.c_str());
+    std::abort();
+}
+} // namespace without_exceptions
+
+#endif
+
+} // namespace graze::inline v0_1::detail

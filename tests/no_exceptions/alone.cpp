@@ -1,0 +1,4 @@
+// alone: a program without exceptions. Bad input ends it.
+#include "questions.hpp"
+
+int main(int argc, char**) { return asked_without_exceptions(argc > 1 ? -1 : 3) == graze::encounter::graze ? 0 : 1; }

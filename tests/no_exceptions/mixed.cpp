@@ -1,0 +1,24 @@
+// mixed: a unit with exceptions and one without in one program. The first one's bad input throws, whoever's code was
+// linked; with an argument, bad input of the second ends the program.
+#include "questions.hpp"
+
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+
+int main(int argc, char**) {
+    bool right =
+        asked_with_exceptions(3) == graze::encounter::graze && asked_without_exceptions(3) == graze::encounter::graze;
+    try {
+        (void)asked_with_exceptions(-1);
+        right = false;
+    } catch (const std::domain_error& e) {
+        right = right && std::strcmp(e.what(), "ball a: radius is negative") == 0;
+    }
+    std::puts(right ? "right" : "wrong");
+    std::fflush(stdout);
+    if (argc > 1) {
+        (void)asked_without_exceptions(-1);
+    }
+    return right ? 0 : 1;
+}

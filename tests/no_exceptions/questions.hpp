@@ -1,0 +1,8 @@
+// The same questions, asked by a unit with exceptions and by one without.
+#pragma once
+
+#include <graze/graze.hpp>
+
+// The radius is bad if it is negative.
+graze::encounter asked_with_exceptions(double radius);
+graze::encounter asked_without_exceptions(double radius);
