@@ -5,7 +5,7 @@
 #include <graze/pair/stage.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/wall.hpp>
-#include <graze/time/impact_time.hpp>
+#include <graze/time_of_impact.hpp>
 
 #include <optional>
 

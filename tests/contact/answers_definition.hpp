@@ -4,8 +4,7 @@
 #include "answers.hpp"
 
 #include <graze/collide.hpp>
-#include <graze/time/time_of_shapes.hpp>
-#include <graze/time/time_of_walls.hpp>
+#include <graze/time_of_impact.hpp>
 
 namespace answers {
 

@@ -3,9 +3,8 @@
 
 #include "answers.hpp"
 
-#include <graze/predicate/overlaps_of_shapes.hpp>
-#include <graze/time/time_of_shapes.hpp>
-#include <graze/time/time_of_walls.hpp>
+#include <graze/overlaps.hpp>
+#include <graze/time_of_impact.hpp>
 
 namespace answers {
 

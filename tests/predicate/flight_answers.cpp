@@ -2,6 +2,7 @@
 
 #include <graze/collide.hpp>
 #include <graze/overlaps.hpp>
+#include <graze/time_of_impact.hpp>
 
 namespace flight_answers {
 
