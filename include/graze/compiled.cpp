@@ -44,6 +44,10 @@ template std::optional<float> round_fast<float>(const event<2, float>&, double, 
 template std::optional<float> round_fast<float>(const event<3, float>&, double, rounding) noexcept;
 template std::optional<double> round_fast<double>(const event<2, double>&, double, rounding) noexcept;
 template std::optional<double> round_fast<double>(const event<3, double>&, double, rounding) noexcept;
+template flat_time fast_flat_time(const event<2, float>&, double) noexcept;
+template flat_time fast_flat_time(const event<3, float>&, double) noexcept;
+template flat_time fast_flat_time(const event<2, double>&, double) noexcept;
+template flat_time fast_flat_time(const event<3, double>&, double) noexcept;
 template std::optional<impact_time<2, float>> time_of_overlap(const ball<2, float>&, const ball<2, float>&);
 template std::optional<impact_time<2, float>> time_of_overlap(const flight<2, float>&, const flight<2, float>&);
 template std::optional<impact_time<3, float>> time_of_overlap(const ball<3, float>&, const ball<3, float>&);
@@ -153,38 +157,38 @@ template void complete(ball_and_wall<2>, wall_contact<2, double>&, parts, encoun
                        const wall<2, double>&);
 template void complete(ball_and_wall<3>, wall_contact<3, double>&, parts, encounter, int, const ball<3, double>&,
                        const wall<3, double>&);
-template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                         const plane<2, float>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                         const plane<3, float>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                         const plane<2, double>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                         const plane<3, double>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                         const wall<2, float>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                         const wall<3, float>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                         const wall<2, double>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                         const wall<3, double>&, const own_clock&) noexcept;
-template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                         const plane<2, float>&, const clock_of_flight<float>&) noexcept;
-template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                         const plane<3, float>&, const clock_of_flight<float>&) noexcept;
-template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                         const plane<2, double>&, const clock_of_flight<double>&) noexcept;
-template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                         const plane<3, double>&, const clock_of_flight<double>&) noexcept;
-template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                         const wall<2, float>&, const clock_of_flight<float>&) noexcept;
-template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                         const wall<3, float>&, const clock_of_flight<float>&) noexcept;
-template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                         const wall<2, double>&, const clock_of_flight<double>&) noexcept;
-template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                         const wall<3, double>&, const clock_of_flight<double>&) noexcept;
+template parts contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const plane<2, float>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const plane<3, float>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const plane<2, double>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const plane<3, double>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const wall<2, float>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const wall<3, float>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const wall<2, double>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const wall<3, double>&, double, const own_clock&) noexcept;
+template parts contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const plane<2, float>&, double, const clock_of_flight<float>&) noexcept;
+template parts contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const plane<3, float>&, double, const clock_of_flight<float>&) noexcept;
+template parts contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const plane<2, double>&, double, const clock_of_flight<double>&) noexcept;
+template parts contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const plane<3, double>&, double, const clock_of_flight<double>&) noexcept;
+template parts contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                const wall<2, float>&, double, const clock_of_flight<float>&) noexcept;
+template parts contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                const wall<3, float>&, double, const clock_of_flight<float>&) noexcept;
+template parts contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
+                                const wall<2, double>&, double, const clock_of_flight<double>&) noexcept;
+template parts contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
+                                const wall<3, double>&, double, const clock_of_flight<double>&) noexcept;
 template void complete(contact<2, float>&, parts, encounter, const flight<2, float>&, const flight<2, float>&);
 template void complete(contact<3, float>&, parts, encounter, const flight<3, float>&, const flight<3, float>&);
 template void complete(contact<2, double>&, parts, encounter, const flight<2, double>&, const flight<2, double>&);

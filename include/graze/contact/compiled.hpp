@@ -69,38 +69,50 @@ extern template void complete(ball_and_wall<2>, wall_contact<2, double>&, parts,
                               const wall<2, double>&);
 extern template void complete(ball_and_wall<3>, wall_contact<3, double>&, parts, encounter, int, const ball<3, double>&,
                               const wall<3, double>&);
-extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const plane<2, float>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const plane<3, float>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const plane<2, double>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const plane<3, double>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const wall<2, float>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const wall<3, float>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const wall<2, double>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const wall<3, double>&, const own_clock&) noexcept;
-extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const plane<2, float>&, const clock_of_flight<float>&) noexcept;
-extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const plane<3, float>&, const clock_of_flight<float>&) noexcept;
-extern template parts fast_wall(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const plane<2, double>&, const clock_of_flight<double>&) noexcept;
-extern template parts fast_wall(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const plane<3, double>&, const clock_of_flight<double>&) noexcept;
-extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const wall<2, float>&, const clock_of_flight<float>&) noexcept;
-extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const wall<3, float>&, const clock_of_flight<float>&) noexcept;
-extern template parts fast_wall(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const wall<2, double>&, const clock_of_flight<double>&) noexcept;
-extern template parts fast_wall(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const wall<3, double>&, const clock_of_flight<double>&) noexcept;
+extern template parts contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int,
+                                       const ball<2, float>&, const plane<2, float>&, double,
+                                       const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int,
+                                       const ball<3, float>&, const plane<3, float>&, double,
+                                       const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int,
+                                       const ball<2, double>&, const plane<2, double>&, double,
+                                       const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int,
+                                       const ball<3, double>&, const plane<3, double>&, double,
+                                       const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                       const wall<2, float>&, double, const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                       const wall<3, float>&, double, const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int,
+                                       const ball<2, double>&, const wall<2, double>&, double,
+                                       const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int,
+                                       const ball<3, double>&, const wall<3, double>&, double,
+                                       const own_clock&) noexcept;
+extern template parts contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int,
+                                       const ball<2, float>&, const plane<2, float>&, double,
+                                       const clock_of_flight<float>&) noexcept;
+extern template parts contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int,
+                                       const ball<3, float>&, const plane<3, float>&, double,
+                                       const clock_of_flight<float>&) noexcept;
+extern template parts contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int,
+                                       const ball<2, double>&, const plane<2, double>&, double,
+                                       const clock_of_flight<double>&) noexcept;
+extern template parts contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int,
+                                       const ball<3, double>&, const plane<3, double>&, double,
+                                       const clock_of_flight<double>&) noexcept;
+extern template parts contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
+                                       const wall<2, float>&, double, const clock_of_flight<float>&) noexcept;
+extern template parts contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
+                                       const wall<3, float>&, double, const clock_of_flight<float>&) noexcept;
+extern template parts contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int,
+                                       const ball<2, double>&, const wall<2, double>&, double,
+                                       const clock_of_flight<double>&) noexcept;
+extern template parts contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int,
+                                       const ball<3, double>&, const wall<3, double>&, double,
+                                       const clock_of_flight<double>&) noexcept;
 extern template void complete(contact<2, float>&, parts, encounter, const flight<2, float>&, const flight<2, float>&);
 extern template void complete(contact<3, float>&, parts, encounter, const flight<3, float>&, const flight<3, float>&);
 extern template void complete(contact<2, double>&, parts, encounter, const flight<2, double>&,

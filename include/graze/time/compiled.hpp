@@ -23,6 +23,10 @@ extern template std::optional<float> round_fast<float>(const event<2, float>&, d
 extern template std::optional<float> round_fast<float>(const event<3, float>&, double, rounding) noexcept;
 extern template std::optional<double> round_fast<double>(const event<2, double>&, double, rounding) noexcept;
 extern template std::optional<double> round_fast<double>(const event<3, double>&, double, rounding) noexcept;
+extern template flat_time fast_flat_time(const event<2, float>&, double) noexcept;
+extern template flat_time fast_flat_time(const event<3, float>&, double) noexcept;
+extern template flat_time fast_flat_time(const event<2, double>&, double) noexcept;
+extern template flat_time fast_flat_time(const event<3, double>&, double) noexcept;
 extern template std::optional<impact_time<2, float>> time_of_overlap(const ball<2, float>&, const ball<2, float>&);
 extern template std::optional<impact_time<2, float>> time_of_overlap(const flight<2, float>&, const flight<2, float>&);
 extern template std::optional<impact_time<3, float>> time_of_overlap(const ball<3, float>&, const ball<3, float>&);

@@ -2,7 +2,6 @@
 // does.
 #pragma once
 
-#include <graze/machine/fused.hpp>
 #include <graze/predicate/classify_walls.hpp>
 #include <graze/time/enclosure.hpp>
 #include <graze/time/flat_time.hpp>
@@ -114,7 +113,7 @@ template <int N, class T, class Shape>
             return {};
         }
         const event<N, T> e(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), found.index, false);
-        const flat_time t = with_best_products(flat_time_near<N, T>{&e, time});
+        const flat_time t = fast_flat_time(e, time);
         const double error = absolute(t.low) + t.error + 0x1p-49 * t.high;
         return t.good && error < 0x1p-20 * t.high ? enclosure{t.high, error} : enclosure{};
     }

@@ -37,7 +37,7 @@ template <class T, int N, class U>
         return rounded_without_doubt<T>(e.timed ? on_clock(start, x) : x, mode);
     };
     if (time > 0) {
-        if (const flat_time near = with_best_products(flat_time_near<N, U>{&e, time}); near.good) [[likely]] {
+        if (const flat_time near = fast_flat_time(e, time); near.good) [[likely]] {
             if (const auto answer = rounded(near.bounds())) [[likely]] {
                 return answer;
             }

@@ -4,6 +4,7 @@
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/flat_features.hpp>
 #include <graze/machine/fence.hpp>
+#include <graze/machine/fused.hpp>
 #include <graze/time/event.hpp>
 #include <graze/time/flat_steps.hpp>
 
@@ -105,5 +106,11 @@ struct flat_time_near {
         return r;
     }
 };
+
+// That, for the machine at hand.
+template <int N, class T>
+[[nodiscard]] flat_time fast_flat_time(const event<N, T>& e, double time) noexcept {
+    return with_best_products(flat_time_near<N, T>{&e, time});
+}
 
 } // namespace graze::inline v0_1::detail
