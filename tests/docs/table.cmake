@@ -2,7 +2,7 @@
 # but for the nanoseconds.
 cmake_policy(VERSION 3.25)
 file(READ "${ROOT}/docs/tutorial/first-comparison.md" page)
-execute_process(COMMAND "${PROGRAM}" --types double OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${PROGRAM}" --types double --timing 0.02 OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 
 # Method, then three times wrong, worst, CR and ns.
 set(cells " +([^ \n]+) +([^ \n]+) +([^ \n]+) +[^ \n]+")
