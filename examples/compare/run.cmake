@@ -7,12 +7,12 @@ endif()
 set_property(SOURCE main.cpp APPEND PROPERTY COMPILE_DEFINITIONS COMPARE_HAS_MPFI=1)
 
 # The proof, and how a type's run is judged by it.
-add_library(compare_certified STATIC
-    run/certified.cpp run/certified_flight.cpp run/certified_run.cpp run/certified_time.cpp run/clearance.cpp
-    run/event_check.cpp run/event_place.cpp run/event_sides.cpp run/event_ways.cpp run/integer_line.cpp
-    run/mpfi_interval.cpp run/sequence.cpp)
+set(certified run/certified.cpp run/certified_flight.cpp run/certified_run.cpp run/certified_time.cpp run/clearance.cpp
+    run/event_check.cpp run/integer_line.cpp run/mpfi_interval.cpp)
+add_library(compare_certified STATIC ${certified} run/event_place.cpp run/event_sides.cpp run/event_ways.cpp
+    run/sequence.cpp)
 target_link_libraries(compare_certified PUBLIC compare_engine graze_number_mpfi PRIVATE graze_warnings)
-target_compile_options(compare_certified PRIVATE $<$<CONFIG:Release>:-O1>)
+compare_compile_together(compare_certified -O1 ${certified})
 
 # Number types against the clock.
 add_library(compare_run_types STATIC run/runnables.cpp run/types/built_in.cpp run/types/cpp_bin_float.cpp
@@ -32,8 +32,9 @@ compare_run_type(float128 run/types/float128.cpp)
 compare_run_type(qd run/types/double_double.cpp)
 
 # What is told.
-add_executable(graze-compare-run run_main.cpp run/digits_picture.cpp run/paths_picture.cpp run/run_command.cpp
-    run/run_json.cpp run/run_options.cpp run/run_text.cpp)
+set(told run_main.cpp run/digits_picture.cpp run/paths_picture.cpp run/run_command.cpp run/run_json.cpp
+    run/run_options.cpp run/run_text.cpp)
+add_executable(graze-compare-run ${told})
 target_link_libraries(graze-compare-run PRIVATE compare_run_types compare_report CLI11::CLI11 nlohmann_json::nlohmann_json
     Boost::headers graze_warnings)
-target_compile_options(graze-compare-run PRIVATE $<$<CONFIG:Release>:-O0>)
+compare_compile_together(graze-compare-run -O0 ${told})
