@@ -1,8 +1,7 @@
 // The run in graze's doubles, compiled once for the examples and the tests: each dimension takes half a minute.
 #pragma once
 
-#include <graze/scene/exact_mechanics.hpp>
-#include <graze/scene/run.hpp>
+#include <graze/run.hpp>
 
 #include <functional>
 #include <vector>

@@ -4,9 +4,8 @@
 #include "../oracle/encounter.hpp"
 #include "soak.hpp"
 
-#include <graze/predicate/overlaps_of_shapes.hpp>
-#include <graze/time/time_of_shapes.hpp>
-#include <graze/time/time_of_walls.hpp>
+#include <graze/overlaps.hpp>
+#include <graze/time_of_impact.hpp>
 
 #include <algorithm>
 #include <bit>
