@@ -10,7 +10,9 @@ namespace {
 std::uint64_t collisions(double mass_ratio) {
     const std::vector<graze::ball<2>> balls = {{{1, 0}, {0, 0}, 0.125, 1}, {{2, 0}, {-1, 0}, 0.125, mass_ratio}};
     const std::vector<graze::plane<2>> wall = {{{0, 0}, {1, 0}}};
-    const auto finished = run_exactly<2>({balls, wall, {}}, {});
+    graze::run_limits<double> limits;
+    limits.jam = 10'000'000; // they meet nobody else
+    const auto finished = run_exactly<2>({balls, wall, {}}, limits);
     if (finished.outcome.why != graze::ending::exhausted) {
         throw std::runtime_error("the balls still meet");
     }
