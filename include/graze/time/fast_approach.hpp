@@ -160,7 +160,7 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
     const number way = length2 * inverse;
     const number sensitivity = per_time * way;
     const number magnitude = absolute(t1);
-    const number error = settled(0x1p-99 * way + magnitude * (8 * (per_time * magnitude) + 0x1p-48));
+    const number error = settled(0x1p-99 * way + magnitude * (0x1p-48 + 8 * (per_time * magnitude)));
     return {t1,
             error,
             sensitivity,
