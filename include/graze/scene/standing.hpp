@@ -151,8 +151,9 @@ class standing_parts {
         return m.about(m.start({x, x, number(0), number(1)})).state.position;
     }
     [[nodiscard]] static extent endless(const vec<dimension, double>& point, const vec<dimension, double>& n) {
-        constexpr double far = std::numeric_limits<double>::max();
-        return {make_vec<dimension>([](int) { return -far; }), make_vec<dimension>([](int) { return far; }), point, n};
+        using limits = std::numeric_limits<double>;
+        return {make_vec<dimension>([](int) { return limits::lowest(); }),
+                make_vec<dimension>([](int) { return limits::max(); }), point, n};
     }
     [[nodiscard]] static extent extent_of(const M& m, const plane<dimension, number>& p) {
         return endless(in_doubles(m, p.point), in_doubles(m, p.normal));
