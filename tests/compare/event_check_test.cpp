@@ -90,6 +90,32 @@ TEST_CASE("an event that was passed over is seen at the next one, and at the end
                 "ball 0 and ball 1 met before that"));
 }
 
+TEST_CASE("the first plane is not passed over") {
+    const auto scene = two_balls();
+    event_check<2> check(scene);
+    const plane_flight a = flight_of(number(3), number(0), number(3)), b = flight_of(number(5), number(1), number(3));
+    CHECK(said([&] { check.event({ball, 0, 1}, number(3), a, &b); }).empty());
+    CHECK(said([&] { check.end(number(6)); }).empty());
+    CHECK(holds(said([&] { check.end(number(8)); }), "ball 1 and plane 0 met before that"));
+}
+
+TEST_CASE("an event that is told after a later one is held against the way until then") {
+    owned_scene<2, certified> s;
+    s.balls.push_back(ball_of(at(number(0), number(0)), at(number(-1), number(0)), number(1)));
+    s.balls.push_back(ball_of(at(number(4), number(8)), at(number(0), number(-1)), number(1)));
+    s.planes.push_back({at(number(-3), number(0)), at(number(1), number(0))});
+    s.planes.push_back({at(number(0), number(-3)), at(number(0), number(1))});
+    event_check<2> check(s);
+    const plane_flight up{ball_of(at(number(4), number(-2)), at(number(0), number(1)), number(1)), number(10)};
+    CHECK(said([&] { check.event({plane, 1, 1}, number(10), up, nullptr); }).empty());
+    // Back from the plane at t = 2, ball 0 comes to (4, 0) at t = 8, and so does ball 1 before it turns.
+    const plane_flight back = flight_of(number(-2), number(1), number(2));
+    CHECK(holds(said([&] {
+                    check.event({plane, 0, 0}, number(2), back, nullptr);
+                }),
+                "ball 0 and ball 1 met before that"));
+}
+
 TEST_CASE("the true course of two balls and a plane passes") {
     const auto scene = two_balls();
     event_check<2> check(scene);
