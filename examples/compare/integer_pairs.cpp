@@ -1,7 +1,8 @@
 #include "integer_pairs.hpp"
 
+#include <graze/formula/discriminant.hpp>
+#include <graze/formula/flat_encounter.hpp>
 #include <graze/formula/plane_crossing.hpp>
-#include <graze/formula/wall_encounter.hpp>
 
 namespace compare {
 
@@ -29,31 +30,14 @@ class common_denominator {
     Z value_ = 1;
 };
 
-// The questions of graze::wall_decision, answered by evaluating the formulas.
-template <class Motion>
-class integer_signs {
-  public:
-    explicit integer_signs(const Motion& motion) : motion_(motion) {}
+// Answers the questions of graze::flat_decision by evaluating the formulas.
+struct integer_judge {
+    static constexpr bool has_roots = false;
 
-    template <class F>
-    [[nodiscard]] int operator()(graze::wall_view view, F f) const {
-        return graze::sign(f(graze::seen_from(motion_, view)));
+    template <class F, class X>
+    [[nodiscard]] int operator()(F f, const X& x) const {
+        return graze::sign(Z(f(x)));
     }
-    template <class P, class Q, class D>
-    [[nodiscard]] int root(graze::wall_view view, P p, Q q, D d, int flip) const {
-        const auto m = graze::seen_from(motion_, view);
-        const Z factor = q(m);
-        return graze::sign_of_root_sum(Z(p(m)), flip < 0 ? Z(-factor) : factor, Z(d(m)));
-    }
-    [[nodiscard]] int edge_discriminant(graze::wall_view view) const {
-        return (*this)(view, graze::edge_reduced_discriminant{});
-    }
-    [[nodiscard]] int corner_discriminant(graze::wall_view view) const {
-        return (*this)(view, graze::corner_formula<graze::discriminant_lagrange>{});
-    }
-
-  private:
-    const Motion& motion_;
 };
 
 } // namespace
@@ -113,9 +97,9 @@ graze::encounter encounter_with_plane(const graze::ball<N, Z>& b, const graze::p
 
 template <int N>
 graze::encounter encounter_with_wall(const graze::ball<N, Z>& b, const graze::wall<N, Z>& w) {
-    const auto m = graze::relative_motion_of(b, w);
-    integer_signs signs(m);
-    return graze::wall_decision<N, decltype(signs)>(signs)().what;
+    const graze::flat_motion<N, Z> m{b.position - w.corner, b.velocity, w.edge, b.radius, false};
+    const auto way = graze::way_of(m);
+    return graze::flat_decision<N, Z, integer_judge>(m, way, integer_judge{})().what;
 }
 
 template integer_scene<2> to_integers<2>(const exact_scene<2>&);

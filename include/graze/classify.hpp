@@ -6,6 +6,7 @@
 #include <graze/predicate/classify_flights.hpp>
 #include <graze/predicate/classify_numbers.hpp>
 #include <graze/predicate/classify_walls.hpp>
+#include <graze/predicate/either_order.hpp>
 
 #if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)
 #include <graze/predicate/compiled.hpp>

@@ -5,6 +5,7 @@
 #include <graze/contact/collide_flights.hpp>
 #include <graze/contact/collide_walls.hpp>
 #include <graze/pair/mismatch.hpp>
+#include <graze/predicate/either_order.hpp>
 
 #if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)
 #include <graze/contact/compiled.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/pair/mismatch.hpp>
+#include <graze/predicate/either_order.hpp>
 #include <graze/predicate/overlaps_of_flights.hpp>
 #include <graze/predicate/overlaps_of_numbers.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>

@@ -2,6 +2,6 @@
 #pragma once
 
 #include <graze/formula/solve_balls.hpp>
+#include <graze/formula/solve_flat.hpp>
 #include <graze/formula/solve_plane.hpp>
-#include <graze/formula/solve_wall.hpp>
 #include <graze/number/floating.hpp>

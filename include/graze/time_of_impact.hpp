@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/pair/mismatch.hpp>
+#include <graze/predicate/either_order.hpp>
 #include <graze/time/time_of_flights.hpp>
 #include <graze/time/time_of_shapes.hpp>
 #include <graze/time/time_of_walls.hpp>

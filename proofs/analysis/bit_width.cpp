@@ -1,7 +1,7 @@
 // For every formula of a decision, bit_width gives the bits that the types of integers deduce.
 #include <graze/exact/integer.hpp>
 #include <graze/formula/exact_in.hpp>
-#include <graze/formula/wall_encounter.hpp>
+#include <graze/formula/wall_features.hpp>
 #include <graze/number/floating.hpp>
 
 #include <cstdint>
@@ -75,9 +75,13 @@ template <int N, int L, int V>
 constexpr bool walls_agree() {
     const auto i = ball_and_wall<N>(integer<L>(), integer<V>());
     const auto w = ball_and_wall<N>(bit_width::of(L), bit_width::of(V));
-    using p = face_foot_p<0, 1>;
-    return same_bits<side_height<0, 1>>(i, w) && same_bits<side_speed<0>>(i, w) && same_bits<p>(i, w) &&
-           same_bits<root_norm<p, face_foot_q<0>, face_foot_d>>(i, w);
+    if constexpr (N == 3) {
+        if (!same_bits<edge_a>(i, w) || !same_bits<edge_h>(i, w) || !same_bits<edge_c>(i, w) ||
+            !same_bits<edge_discriminant>(i, w)) {
+            return false;
+        }
+    }
+    return same_bits<plane_height>(face_of(i), face_of(w)) && same_bits<plane_clearance>(face_of(i), face_of(w));
 }
 static_assert(walls_agree<2, 20, 12>() && walls_agree<3, 20, 12>());
 

@@ -2,8 +2,8 @@
 // give the same feet, coefficients, discriminants and values at the root. The identities are tried at whole points
 // whose values doubles hold exactly: of polynomials of degree up to 10 in 13 letters that differ, one value in some
 // would do.
-#include <graze/formula/flat_features.hpp>
-#include <graze/formula/wall_encounter.hpp>
+#include <graze/formula/discriminant.hpp>
+#include <graze/formula/flat_edge.hpp>
 
 namespace {
 
@@ -41,33 +41,55 @@ constexpr flat_motion<N, double> any_motion(unsigned seed, bool is_triangle) {
     return m;
 }
 
+// λ_i n·n = x·side_i, with the sides in which only λ_i grows.
+template <int N>
+constexpr std::array<vec<N, double>, N - 1> sides_of(const std::array<vec<N, double>, N - 1>& e) {
+    if constexpr (N == 2) {
+        return {e[0]};
+    } else {
+        const auto n = face_normal(e);
+        return {cross(e[1], n), cross(n, e[0])};
+    }
+}
 template <int N>
 constexpr bool crosses(const flat_motion<N, double>& f) {
-    const auto m = wall_motion_of(f.w, f.u, f.e, f.r);
+    const auto m = face_of(wall_motion_of(f.w, f.u, f.e, f.r));
+    const auto side = sides_of<N>(f.e);
     const auto way = way_of(f);
     const auto place = place_of(f, way);
-    const double p[2] = {side_height<0, 0>{}(m), side_height<N - 2, 0>{}(m)};
-    const double q[2] = {side_speed<0>{}(m), side_speed<N - 2>{}(m)};
     for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
-        if (place.at[i] != p[i] || way.pull[i] != q[i] || way.at[i] * way.nn != way.speed * p[i] - way.height * q[i]) {
+        const double p = dot(f.w, side[i]), q = dot(f.u, side[i]);
+        if (place.at[i] != p || way.pull[i] != q || way.at[i] * way.nn != way.speed * p - way.height * q) {
             return false;
         }
     }
     return way.height == plane_height{}(m) && way.speed == plane_speed{}(m) && way.facing == way.speed &&
-           way_clearance{}(way) == plane_clearance{}(m) && place.facing == way.nn && way.nn == face_foot_d{}(m);
+           way_clearance{}(way) == plane_clearance{}(m) && place.facing == way.nn && way.nn == squared_norm(m.n);
 }
 
-// The border's line as an edge of wall_features sees it; a view may turn n, and with it the speed and `inside`.
+// A wall's own coordinates.
+constexpr bool has_sides(const flat_motion<3, double>& f) {
+    const auto side = sides_of<3>(f.e);
+    const auto n = face_normal(f.e);
+    return dot(n, f.e[0]) == 0 && dot(n, f.e[1]) == 0 && dot(side[0], n) == 0 && dot(side[1], n) == 0 &&
+           dot(side[0], f.e[0]) == squared_norm(n) && dot(side[0], f.e[1]) == 0 && dot(side[1], f.e[0]) == 0 &&
+           dot(side[1], f.e[1]) == squared_norm(n);
+}
+
+// The border's line as an edge of wall_features sees it; a view may turn n, and with it the speed and `inside`. A value
+// x + v t at the smaller root is (a x - h v - v√D)/a.
 constexpr bool agrees(const flat_edge<double>& x, const auto& view) {
+    const auto at = [&](double value, double speed) { return edge_a{}(view)*value - edge_h{}(view)*speed; };
     using at_start = value_at_root<edge_a, edge_h, edge_foot<0>, edge_foot_speed>;
     using at_end = value_at_root<edge_a, edge_h, edge_foot<1>, edge_foot_speed>;
-    using at_side = value_at_root<edge_a, edge_h, side_height<0, 0>, side_speed<0>>;
+    const auto side = sides_of<3>(view.e)[0];
     return border_a{}(x) == edge_a{}(view) && border_h{}(x) == edge_h{}(view) && border_c{}(x) == edge_c{}(view) &&
            border_discriminant{}(x) == edge_reduced_discriminant{}(view) &&
            border_whole_discriminant{}(x) == edge_discriminant{}(view) &&
            x.dd * nearest_from_start{}(x) == at_start{}(view) && x.dd * nearest_from_end{}(x) == at_end{}(view) &&
-           x.dd * touch_outside{}(x) == at_side{}(view) && touch_inward{}(x) == side_speed<0>{}(view) &&
-           foot_from_start{}(x) == edge_foot<0>{}(view) && foot_from_end{}(x) == edge_foot<1>{}(view);
+           x.dd * touch_outside{}(x) == at(dot(view.w, side), dot(view.u, side)) &&
+           touch_inward{}(x) == dot(view.u, side) && foot_from_start{}(x) == edge_foot<0>{}(view) &&
+           foot_from_end{}(x) == edge_foot<1>{}(view);
 }
 constexpr bool sees_edges(const flat_motion<3, double>& f) {
     const auto m = wall_motion_of(f.w, f.u, f.e, f.r);
@@ -89,20 +111,22 @@ constexpr bool sees_third_border(const flat_motion<3, double>& f) {
     const auto way = way_of(f);
     const vec<3, double> d = f.e[1] - f.e[0];
     const auto other = wall_motion_of(f.w - f.e[0], f.u, std::array<vec<3, double>, 2>{-f.e[0], d}, f.r);
-    return agrees(
-        edge_of(f.w - f.e[0], f.u, d, f.r, inside_border{1, true}(way), inward_speed{1, true}(way), way.speed), other);
+    const auto view = seen_from(wall_motion_of(f.w, f.u, f.e, f.r), edge_view(edge_number(1, true)));
+    return view.w == other.w && view.u == other.u && view.e == other.e && view.r == other.r &&
+           agrees(
+               edge_of(f.w - f.e[0], f.u, d, f.r, inside_border{1, true}(way), inward_speed{1, true}(way), way.speed),
+               other);
 }
 
 template <int N>
 constexpr bool sees_corner(const flat_motion<N, double>& f) {
-    const auto m = wall_motion_of(f.w, f.u, f.e, f.r);
-    using a = corner_formula<coefficient_a>;
-    using h = corner_formula<coefficient_h>;
-    using behind = value_at_root<a, h, coordinate_along<0>, speed_along<0>>;
+    const auto m = corner_motion(wall_motion_of(f.w, f.u, f.e, f.r));
+    const double a = coefficient_a{}(m), h = coefficient_h{}(m);
     const auto x = edge_of(f.w, f.u, f.e[0], f.r, 0.0, 0.0, 0.0);
-    return corner_h{}(x) == h{}(m) && corner_c{}(x) == corner_formula<coefficient_c>{}(m) &&
-           corner_discriminant{}(x) == corner_formula<discriminant_lagrange>{}(m) &&
-           nearest_from_start{}(x) == behind{}(m) && direction_speed{}(x) == speed_along<0>{}(m);
+    return corner_h{}(x) == h && corner_c{}(x) == coefficient_c{}(m) &&
+           corner_discriminant{}(x) == discriminant_lagrange{}(m) &&
+           nearest_from_start{}(x) == a * dot(f.w, f.e[0]) - h * dot(f.u, f.e[0]) &&
+           direction_speed{}(x) == dot(f.u, f.e[0]);
 }
 
 // The norms belong to their two terms.
@@ -129,8 +153,8 @@ constexpr bool all_points() {
     for (unsigned seed = 1; seed <= 60; ++seed) {
         const auto wall = any_motion<3>(seed, false);
         if (!crosses(any_motion<2>(seed, false)) || !crosses(wall) || !sees_edges(wall) || !sees_corner(wall) ||
-            !sees_corner(any_motion<2>(seed, false)) || !sees_third_border(any_motion<3>(seed, true)) ||
-            !has_norms(wall)) {
+            !has_sides(wall) || !sees_corner(any_motion<2>(seed, false)) ||
+            !sees_third_border(any_motion<3>(seed, true)) || !has_norms(wall)) {
             return false;
         }
     }

@@ -1,7 +1,7 @@
 // A wall whose edges are not at right angles, in whole numbers: the closest feature, against the distances to all
 // corners and sides; and the encounter of a ball that flies perpendicularly to the wall's plane, and so stays beside
 // one point of the wall, by its distance from that point.
-#include <graze/formula/solve_wall.hpp>
+#include <graze/formula/solve_flat.hpp>
 
 #include "../whole.hpp"
 
@@ -70,24 +70,23 @@ constexpr wall<3, whole> in_space(const parallelogram& w) {
 constexpr bool right(const parallelogram& w, point p) {
     const closest c = closest_to(w, p);
     const auto meets = [&](int speed, int radius) {
-        const auto m = relative_motion_of(ball<3, whole>{{{7, p.y, p.z}}, {{speed, 0, 0}}, radius}, in_space(w));
-        using signs_type = detail::direct_signs<variant::lagrange, whole, std::remove_cvref_t<decltype(m)>>;
-        signs_type signs(m);
-        return wall_decision<3, signs_type>(signs)();
+        const auto m = detail::flat_motion_of(ball<3, whole>{{{7, p.y, p.z}}, {{speed, 0, 0}}, radius}, in_space(w));
+        return detail::decide_directly(m, detail::direct_judge<variant::lagrange, 3, whole>(m));
     };
-    const wall_encounter resting = meets(0, 1);
-    if (resting.what != encounter::recede || resting.where != c.where || resting.index != c.index) {
+    const flat_answer deep = meets(-1, 100);
+    if (meets(0, 1).what != encounter::recede || deep.what != encounter::overlap || deep.where != c.where ||
+        deep.index != c.index) {
         return false;
     }
     const int beside = c.over - 25 * c.under;
-    const wall_encounter met = meets(-1, 5);
+    const flat_answer met = meets(-1, 5);
     if (met.what != (beside > 0    ? encounter::miss
                      : beside == 0 ? encounter::graze
                                    : encounter::hit) ||
         (beside <= 0 && (met.where != c.where || met.index != c.index))) {
         return false;
     }
-    const wall_encounter inside = meets(-1, 9); // 7² + beside² against 9²
+    const flat_answer inside = meets(-1, 9); // 7² + beside² against 9²
     return (inside.what == encounter::overlap) == (c.over < (81 - 49) * c.under) &&
            (inside.what != encounter::overlap || (inside.where == c.where && inside.index == c.index));
 }

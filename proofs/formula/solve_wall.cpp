@@ -12,42 +12,13 @@ using namespace graze;
 using proof::rational;
 using surd = sqrt_extension<rational>;
 
-// The sign of p + flip q√d for whole p and q and these d, in doubles. The roots of 2 and 5 are irrational: squares
-// decide. d can be less than 0 only by a rounding, where another formula has found its sign to be >= 0; it then counts
-// as 0.
-struct radicand_and_root {
-    int d;
-    int root; // where it is whole, otherwise -1
-};
-constexpr int sign_by_squares(int p, int q, const radicand_and_root& r) {
-    if (r.root >= 0) {
-        return sign(static_cast<double>(p + q * r.root));
-    }
-    const int p2 = p * p;
-    const int q2 = q * q * r.d; // equal to p2 only where both are 0
-    return p2 > q2 ? (p > 0 ? 1 : -1) : p2 == q2 ? 0 : (q > 0 ? 1 : -1);
-}
-constexpr bool roots_have_signs() {
-    const ball<2> b{{0, 0}, {0, 0}, 0};
-    const wall<2> w{{0, 0}, {{{{0, 1}}}}};
-    const auto m = relative_motion_of(b, w);
-    const detail::direct_signs<variant::lagrange, double, std::remove_cvref_t<decltype(m)>> signs(m);
-    for (const auto& r : {radicand_and_root{-1, 0}, {0, 0}, {1, 1}, {4, 2}, {9, 3}, {2, -1}, {5, -1}}) {
-        for (int p = -4; p <= 4; ++p) {
-            for (int q = -2; q <= 2; ++q) {
-                for (const int flip : {-1, 1}) {
-                    const auto always = [](double value) { return [value](const auto&) { return value; }; };
-                    const int found = signs.root({}, always(p), always(q), always(r.d), flip);
-                    if (found != sign_by_squares(p, flip * q, r)) {
-                        return false;
-                    }
-                }
-            }
-        }
-    }
-    return true;
-}
-static_assert(roots_have_signs());
+// The root of what is less than 0 only by a rounding counts as 0.
+static_assert([] {
+    const flat_motion<2, double> m{{{0, 1}}, {{1, 0}}, {{{{0, 1}}}}, 1, false};
+    const detail::direct_judge<variant::lagrange, 2, double> judge(m);
+    double root = 5;
+    return judge.root(9, root) && root == 3 && judge.root(-1, root) && root == 0;
+}());
 
 // Cases where the answer depends on that sign: in doubles, and by either root of d.
 constexpr wall<3> square{{5, -3, -3}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};

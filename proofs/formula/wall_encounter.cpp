@@ -1,7 +1,7 @@
-// wall_decision in whole numbers: over grids of starts and velocities, encounter and feature must be those that follow
+// flat_decision in whole numbers: over grids of starts and velocities, encounter and feature must be those that follow
 // from the distance, whose square is a piecewise quadratic, convex function of time. The oracle takes thousands of
 // signs for each case, none by a formula of the library.
-#include <graze/formula/solve_wall.hpp>
+#include <graze/formula/solve_flat.hpp>
 
 #include "../whole.hpp"
 
@@ -159,7 +159,7 @@ constexpr ball<N, whole> ball_of(const thrown& b) {
 
 // Where index says that the closest point lies: λ_i < 0, inside, or > 1, as seen from the corner.
 template <int N>
-constexpr bool index_fits(const wall_encounter& w, const thrown& b, const wall<N, whole>& in) {
+constexpr bool index_fits(const flat_answer& w, const thrown& b, const wall<N, whole>& in) {
     const flight<N> f{b};
     std::array<int, 2> beyond{};
     for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
@@ -177,13 +177,13 @@ constexpr bool index_fits(const wall_encounter& w, const thrown& b, const wall<N
 
 template <int N>
 constexpr bool right(const thrown& b, const wall<N, whole>& in) {
-    const auto m = relative_motion_of(ball_of<N>(b), in);
-    using signs_type = detail::direct_signs<variant::lagrange, whole, std::remove_cvref_t<decltype(m)>>;
-    signs_type signs(m);
-    const wall_decision<N, signs_type> decide(signs);
-    const wall_encounter found = decide();
+    const auto m = detail::flat_motion_of(ball_of<N>(b), in);
+    const detail::direct_judge<variant::lagrange, N, whole> judge(m);
+    const auto way = way_of(m);
+    const flat_decision<N, whole, detail::direct_judge<variant::lagrange, N, whole>> decide(m, way, judge);
+    const flat_answer found = detail::decide_directly(m, judge);
     const expected e = by_distance<N>(b);
-    if (found.what != e.what || decide.overlaps() != (flight<N>{b}.against_radius({}) < 0)) {
+    if (!found.certain || found.what != e.what || (decide.clearance() < 0) != (flight<N>{b}.against_radius({}) < 0)) {
         return false;
     }
     // A point meets the rim as part of the face; a ball that slides along the face at the distance r grazes an edge or

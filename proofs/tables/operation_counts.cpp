@@ -2,11 +2,11 @@
 #include <graze/analysis/operation_count.hpp>
 #include <graze/formula/contact.hpp>
 #include <graze/formula/discriminant.hpp>
+#include <graze/formula/flat_way.hpp>
 #include <graze/formula/impulse.hpp>
 #include <graze/formula/plane_crossing.hpp>
 #include <graze/formula/root_order.hpp>
 #include <graze/formula/roots.hpp>
-#include <graze/formula/wall_encounter.hpp>
 
 #include <array>
 #include <iostream>
@@ -24,16 +24,20 @@ constexpr relative_motion<N, counted_number, counted_number, counted_number> bal
     return {vector<N>(x), vector<N>(x), x};
 }
 template <int N>
-constexpr auto wall_of(const counted_number& x) { // its normal and sides are taken as given
-    const auto sides = [&] {
-        if constexpr (N == 2) {
-            return std::array<vec<2, counted_number>, 1>{vector<2>(x)};
-        } else {
-            return std::array<vec<3, counted_number>, 2>{vector<3>(x), vector<3>(x)};
-        }
-    }();
-    return wall_motion<N, counted_number, counted_number, counted_number, counted_number, counted_number,
-                       counted_number>{vector<N>(x), vector<N>(x), sides, x, vector<N>(x), sides};
+constexpr auto plane_of(const counted_number& x) {
+    return plane_motion{vector<N>(x), vector<N>(x), vector<N>(x), x};
+}
+template <int N, class X>
+constexpr std::array<X, N - 1> each(const X& x) {
+    if constexpr (N == 2) {
+        return {x};
+    } else {
+        return {x, x};
+    }
+}
+template <int N>
+constexpr auto wall_of(const counted_number& x) {
+    return flat_motion<N, counted_number>{vector<N>(x), vector<N>(x), each<N>(vector<N>(x)), x, false};
 }
 constexpr quadratic<counted_number, counted_number, counted_number> coefficients(const counted_number& x) {
     return {x, x, x};
@@ -117,18 +121,20 @@ int main() {
             [](const counted_number& x) { return reflected_unnormalised(vector<N>(x), vector<N>(x)); });
     });
     row("height over a plane",
-        []<int N> { return operations_of([](const counted_number& x) { return plane_height{}(wall_of<N>(x)); }); });
+        []<int N> { return operations_of([](const counted_number& x) { return plane_height{}(plane_of<N>(x)); }); });
     row("clearance of a plane",
-        []<int N> { return operations_of([](const counted_number& x) { return plane_clearance{}(wall_of<N>(x)); }); });
+        []<int N> { return operations_of([](const counted_number& x) { return plane_clearance{}(plane_of<N>(x)); }); });
     row("when a plane is touched, with height and speed", []<int N> {
         return operations_of([](const counted_number& x) {
-            const auto m = wall_of<N>(x);
+            const auto m = plane_of<N>(x);
             return plane_touch_time{}(plane_height{}(m), plane_speed{}(m), m.r * square_root(squared_norm(m.n)));
         });
     });
-    row("one side of the rectangle test (p² − q²d)", []<int N> {
+    row("where a ball's way crosses a wall's plane, and how fast",
+        []<int N> { return operations_of([](const counted_number& x) { return way_of(wall_of<N>(x)); }); });
+    row("one side of the rectangle test (O² n·n − r² I²), after that", []<int N> {
         return operations_of([](const counted_number& x) {
-            return root_norm<face_foot_p<0, 1>, face_foot_q<0>, face_foot_d>{}(wall_of<N>(x));
+            return touch_inside_norm{0, false}(flat_way<N, counted_number>{x, x, x, x, x, each<N>(x), each<N>(x)});
         });
     });
 }

@@ -2,9 +2,9 @@
 #include <graze/analysis/error_bound.hpp>
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
-#include <graze/formula/wall_encounter.hpp>
 #include <graze/number/adapter/gmp.hpp>
 #include <graze/number/floating.hpp>
+#include <graze/pair/flat_signs.hpp>
 #include <graze/pair/rounded_motion.hpp>
 
 #include "../../examples/families/random.hpp"
@@ -127,35 +127,95 @@ struct ball_inputs {
     }
 };
 
+// A ball and a plane, or a ball and a wall's way, place and border as flat_bounds makes them.
 template <int N>
-struct wall_inputs {
+struct plane_inputs {
     static constexpr std::size_t n = N;
-    static constexpr std::size_t count = n * (n + 2) + 1;
-    using bounds = graze::detail::wall_bounds<N, double>;
+    static constexpr std::size_t count = 4 * n + 1;
+    using bounds = graze::detail::plane_bounds<N, double>;
 
     template <class T, class I>
     static auto make(const I& x) {
         const auto vector = [&](std::size_t from) {
             return graze::make_vec<N>([&](int i) { return T(x[from + static_cast<std::size_t>(i)]); });
         };
-        graze::wall<N, T> w{vector(2 * n), {}};
-        for (std::size_t e = 0; e + 1 < n; ++e) {
-            w.edge[e] = vector((3 + e) * n);
-        }
-        return graze::relative_motion_of(graze::ball<N, T>{vector(0), vector(n), T(x[count - 1])}, w);
+        return graze::relative_motion_of(graze::ball<N, T>{vector(0), vector(n), T(x[count - 1])},
+                                         graze::plane<N, T>{vector(2 * n), vector(3 * n)});
     }
-    // From the corner farthest from the wall's own, for which the bounds are made.
     template <class M>
-    static auto seen(const M& m) {
-        return graze::seen_from(m, graze::wall_view{N == 2 ? 1 : 3, false});
+    static const M& seen(const M& m) {
+        return m;
     }
     template <class M>
     static std::array<double, 3> scales(const M& m) {
-        double largest = std::max(norm(m.w), m.r);
-        for (const auto& e : m.e) {
-            largest = std::max(largest, norm(e));
+        return {std::max(norm(m.w), m.r), norm(m.u), norm(m.n)};
+    }
+};
+
+// How a formula's numbers are made of a motion, and their bounds.
+struct as_way {
+    template <class M>
+    static auto seen(const M& m) {
+        return way_of(m);
+    }
+    template <class B>
+    static consteval auto bounds() {
+        return B::way();
+    }
+};
+struct as_place {
+    template <class M>
+    static auto seen(const M& m) {
+        return place_of(m, way_of(m));
+    }
+    template <class B>
+    static consteval auto bounds() {
+        return B::place();
+    }
+};
+struct as_border { // of a triangle, the third
+    template <int N, class T>
+    static auto seen(const graze::flat_motion<N, T>& m) {
+        const auto way = way_of(m);
+        return edge_of(centre_from(m, 1), m.u, direction_of_border(m, 1), m.r,
+                       graze::inside_border{1, m.is_triangle}(way), graze::inward_speed{1, m.is_triangle}(way),
+                       way.speed);
+    }
+    template <class B>
+    static consteval auto bounds() {
+        return B::border();
+    }
+};
+template <int N, class As>
+struct flat_inputs {
+    static constexpr std::size_t n = N;
+    static constexpr std::size_t count = n * (n + 2) + 1;
+    struct bounds {
+        static consteval auto value() { return As::template bounds<graze::detail::flat_bounds<N, double>>(); }
+    };
+
+    template <class T, class I>
+    static auto make(const I& x) {
+        const auto vector = [&](std::size_t from) {
+            return graze::make_vec<N>([&](int i) { return T(x[from + static_cast<std::size_t>(i)]); });
+        };
+        graze::flat_motion<N, T> m{vector(0) - vector(2 * n), vector(n), {}, T(x[count - 1]), N == 3};
+        for (std::size_t e = 0; e + 1 < n; ++e) {
+            m.e[e] = vector((3 + e) * n);
         }
-        return {largest, norm(m.u), 1};
+        return m;
+    }
+    template <class M>
+    static auto seen(const M& m) {
+        return As::seen(m);
+    }
+    template <class M>
+    static std::array<double, 3> scales(const M& m) {
+        double sum = 0;
+        for (const auto& e : m.e) {
+            sum += norm(e);
+        }
+        return {norm(m.w) + m.r + sum, norm(m.u), sum};
     }
 };
 
@@ -245,21 +305,29 @@ TEST_CASE("No error found in doubles is larger than its bound, in any rounding m
     check_bound<ball2, graze::discriminant_lagrange>("D by Lagrange, 2D", 0.12);
     check_bound<ball3, graze::discriminant_lagrange>("D by Lagrange, 3D", 0.12);
 
-    using wall2 = wall_inputs<2>;
-    using wall3 = wall_inputs<3>;
-    check_bound<wall2, graze::plane_height>("a segment's height", 0.15);
-    check_bound<wall2, graze::side_height<0, 1>>("a segment's side", 0.1);
-    check_bound<wall2, graze::face_foot_p<0, 1>>("a segment's foot", 0.04);
-    check_bound<wall3, graze::plane_height>("a wall's height", 0.06);
-    check_bound<wall3, graze::plane_clearance>("a wall's clearance", 0.015);
-    check_bound<wall3, graze::side_height<0, 1>>("a wall's side", 0.04);
-    check_bound<wall3, graze::face_foot_p<1, 0>>("a wall's foot", 0.03);
-    check_bound<wall3, graze::edge_h>("an edge's h", 0.08);
-    check_bound<wall3, graze::edge_c>("an edge's c", 0.06);
-    check_bound<wall3, graze::edge_reduced_discriminant>("an edge's D", 0.04);
-    check_bound<wall3, graze::corner_formula<graze::discriminant_lagrange>>("a corner's D", 0.14);
-    using p = graze::face_foot_p<0, 0>;
-    check_bound<wall3, graze::root_norm<p, graze::face_foot_q<0>, graze::face_foot_d>>("a foot's norm", 0.007);
+    check_bound<plane_inputs<2>, graze::plane_height>("a plane's height, 2D", 0.35);
+    check_bound<plane_inputs<3>, graze::plane_height>("a plane's height, 3D", 0.3);
+    check_bound<plane_inputs<3>, graze::plane_clearance>("a plane's clearance", 0.15);
+
+    using way2 = flat_inputs<2, as_way>;
+    using way3 = flat_inputs<3, as_way>;
+    using border = flat_inputs<3, as_border>;
+    check_bound<way2, graze::way_height>("a segment's height", 0.1);
+    check_bound<way2, graze::inside_border>("a segment's side", 0.09);
+    check_bound<way2, graze::touch_inside_norm>("a segment's foot", 0.03);
+    check_bound<way3, graze::way_height>("a wall's height", 0.015);
+    check_bound<way3, graze::way_clearance>("a wall's clearance", 0.0015);
+    check_bound<way3, graze::inside_border>("a triangle's side", 0.02);
+    check_bound<way3, graze::touch_inside_norm>("a triangle's foot", 0.00009);
+    check_bound<flat_inputs<3, as_place>, graze::inside_border>("a triangle's side now", 0.003);
+    check_bound<border, graze::border_h>("an edge's h", 0.04);
+    check_bound<border, graze::border_c>("an edge's c", 0.035);
+    check_bound<border, graze::border_discriminant>("an edge's D", 0.003);
+    check_bound<border, graze::corner_discriminant>("a corner's D", 0.04);
+    check_bound<border, graze::nearest_from_start>("a foot along an edge", 0.06);
+    check_bound<border, graze::touch_along_norm<graze::nearest_from_end>>("a touch along an edge", 0.003);
+    check_bound<border, graze::touch_outside_norm>("a touch beside an edge", 0.000006);
+    check_bound<border, graze::touch_behind_norm>("a touch behind a corner", 0.014);
 }
 
 TEST_CASE("A constant of half the size would be found out") {

@@ -4,6 +4,7 @@
 #include <graze/contact/contact.hpp>
 #include <graze/pair/stage.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 #include <graze/time_of_impact.hpp>
 
@@ -25,5 +26,7 @@ template <int N, class T>
 answer<N, T, graze::wall_contact<N, T>> of(const graze::ball<N, T>& b, const graze::plane<N, T>& p);
 template <int N, class T>
 answer<N, T, graze::wall_contact<N, T>> of(const graze::ball<N, T>& b, const graze::wall<N, T>& w);
+template <class T>
+answer<3, T, graze::wall_contact<3, T>> of(const graze::ball<3, T>& b, const graze::triangle<T>& t);
 
 } // namespace answers

@@ -29,4 +29,9 @@ answer<N, T, graze::wall_contact<N, T>> of(const graze::ball<N, T>& b, const gra
     return all<answer<N, T, graze::wall_contact<N, T>>>(b, w);
 }
 
+template <class T>
+answer<3, T, graze::wall_contact<3, T>> of(const graze::ball<3, T>& b, const graze::triangle<T>& t) {
+    return all<answer<3, T, graze::wall_contact<3, T>>>(b, t);
+}
+
 } // namespace answers

@@ -15,18 +15,18 @@ namespace {
 constexpr std::size_t rows = 4 * soak::families_drawn.size();
 constexpr std::uint64_t block_size = 64;
 
-tally run_row(std::size_t row, std::uint64_t seed, std::uint64_t first, std::uint64_t count,
+tally run_row(soak::drawn what, std::size_t row, std::uint64_t seed, std::uint64_t first, std::uint64_t count,
               std::vector<std::string>& complaints) {
     const std::size_t family = row / 4;
     switch (row % 4) {
     case 0:
-        return run<2, double>(family, seed, first, count, complaints);
+        return run<2, double>(what, family, seed, first, count, complaints);
     case 1:
-        return run<3, double>(family, seed, first, count, complaints);
+        return run<3, double>(what, family, seed, first, count, complaints);
     case 2:
-        return run<2, float>(family, seed, first, count, complaints);
+        return run<2, float>(what, family, seed, first, count, complaints);
     default:
-        return run<3, float>(family, seed, first, count, complaints);
+        return run<3, float>(what, family, seed, first, count, complaints);
     }
 }
 
@@ -37,7 +37,7 @@ struct result {
 
 // `count` contacts a row in blocks, each of which draws from numbers of its own: the answer does not depend on the
 // threads.
-result run_all(std::uint64_t seed, std::uint64_t count, unsigned threads) {
+result run_all(soak::drawn what, std::uint64_t seed, std::uint64_t count, unsigned threads) {
     result total;
     std::mutex guard;
     std::atomic<std::uint64_t> next = 0;
@@ -51,7 +51,7 @@ result run_all(std::uint64_t seed, std::uint64_t count, unsigned threads) {
             const std::size_t row = job % rows;
             const std::uint64_t block = job / rows;
             std::vector<std::string> complaints;
-            const tally seen = run_row(row, seed, block * 16 * block_size,
+            const tally seen = run_row(what, row, seed, block * 16 * block_size,
                                        std::min(block_size, count - block * block_size), complaints);
             const std::lock_guard lock(guard);
             total.seen[row] += seen;
@@ -103,16 +103,19 @@ int main(int argc, char** argv) {
     app.add_option("--threads", threads, "Threads; the answer does not depend on them")
         ->check(CLI::Range(1U, 1024U))
         ->capture_default_str();
+    bool triangles = false;
+    app.add_flag("--triangles", triangles, "Only the walls in space, as triangles");
     CLI11_PARSE(app, argc, argv);
 
     using namespace contact_soak;
-    const result r = run_all(seed, (count + rows - 1) / rows, threads);
+    const result r =
+        run_all(triangles ? soak::drawn::triangles : soak::drawn::all, seed, (count + rows - 1) / rows, threads);
     const tally all = print_table(r);
     const std::size_t shown = std::min<std::size_t>(r.complaints.size(), 100);
     for (std::size_t i = 0; i < shown; ++i) {
         std::printf("wrong: %s\n", r.complaints[i].c_str());
     }
-    const bool enough = 2 * all.contacts >= count;
+    const bool enough = triangles || 2 * all.contacts >= count;
     if (!enough) {
         std::puts("\nfewer than half of the contacts asked for came about");
     }

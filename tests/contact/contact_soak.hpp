@@ -141,6 +141,11 @@ bool is_valid(const graze::wall<N, T>& w) {
     return valid;
 }
 
+template <class T>
+bool is_valid(const graze::triangle<T>& t) {
+    return is_valid(graze::wall<3, T>{t.corner, t.edge});
+}
+
 // Compares the library's contact and times with the oracle's.
 template <class A, class B>
 void judge_pair(tally& seen, const A& a, const B& b, std::string& wrong) {
@@ -161,16 +166,22 @@ void judge_pair(tally& seen, const A& a, const B& b, std::string& wrong) {
 // Draws pairs of soak::families_drawn[family] from number `first` on until `count` of them collide or 16 count have
 // been drawn.
 template <int N, class T>
-tally run(std::size_t family, std::uint64_t seed, std::uint64_t first, std::uint64_t count,
+tally run(soak::drawn what, std::size_t family, std::uint64_t seed, std::uint64_t first, std::uint64_t count,
           std::vector<std::string>& complaints) {
     tally seen;
     const families::family& f = soak::families_drawn[family];
     for (std::uint64_t index = first; seen.contacts < count && index < first + 16 * count; ++index) {
         const auto drawn = f.draw<N>(seed, index);
         const auto pair = to<T>(drawn);
-        ++seen.pairs;
         std::string wrong;
-        if (drawn.kind == families::pair_kind::ball_ball) {
+        if (what == soak::drawn::triangles) {
+            if constexpr (N == 3) {
+                if (drawn.kind == families::pair_kind::ball_wall) {
+                    ++seen.pairs;
+                    judge_pair(seen, pair.a, graze::triangle<T>{pair.wall.corner, pair.wall.edge}, wrong);
+                }
+            }
+        } else if (++seen.pairs; drawn.kind == families::pair_kind::ball_ball) {
             judge_pair(seen, pair.a, pair.b, wrong);
         } else if (drawn.kind == families::pair_kind::ball_plane) {
             judge_pair(seen, pair.a, pair.plane, wrong);

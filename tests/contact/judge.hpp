@@ -131,18 +131,22 @@ verdict of(const graze::ball<N, T>& b, const graze::plane<N, T>& p,
     return v;
 }
 
-template <int N, class T>
-verdict of(const graze::ball<N, T>& b, const graze::wall<N, T>& w,
-           const std::optional<graze::wall_contact<N, T>>& found, const std::optional<graze::impact_time<N, T>>& at) {
+// A wall or a triangle.
+template <int N, class T, class Wall>
+verdict of(const graze::ball<N, T>& b, const Wall& w, const std::optional<graze::wall_contact<N, T>>& found,
+           const std::optional<graze::impact_time<N, T>>& at) {
     const oracle::answer met = oracle::meet(b, w);
     verdict v{met.what, 0, {}, {}};
     if (found.has_value() != oracle::is_collision(met.what) ||
         (found && static_cast<int>(found->feature) != static_cast<int>(met.where()))) {
         v.wrong = "the encounter";
     }
+    const unsigned which = met.face ? 1U : met.edges != 0 ? met.edges : met.corners;
+    if (found && !met.has(static_cast<oracle::feature>(found->feature), found->index)) {
+        v.wrong = "the feature's index";
+    }
     time(v, met, at);
     if (found && v.wrong.empty()) {
-        const unsigned which = met.face ? 1U : met.edges != 0 ? met.edges : met.corners;
         compare(v, b, oracle::contact(b, w, met, met.where(), std::countr_zero(which)), *found);
     }
     return v;

@@ -102,9 +102,8 @@ wall_contact<N> contact(const graze::ball<N, T>& b, const graze::plane<N, T>& p,
 }
 
 // where, index: any of the features that are met.
-template <int N, class T>
-wall_contact<N> contact(const graze::ball<N, T>& b, const graze::wall<N, T>& wall, const answer& met, feature where,
-                        int index) {
+template <int N, class T, class Wall>
+wall_contact<N> contact(const graze::ball<N, T>& b, const Wall& wall, const answer& met, feature where, int index) {
     surd_vector<N> corner = exact_vector<N>(wall.corner);
     const auto e0 = exact_vector<N>(wall.edge[0]);
     const auto e1 = exact_vector<N>(wall.edge[N - 2]);
@@ -126,7 +125,8 @@ wall_contact<N> contact(const graze::ball<N, T>& b, const graze::wall<N, T>& wal
     const auto u = exact_vector<N>(b.velocity);
     c.position = exact_vector<N>(b.position) + c.time * u;
     if (where == feature::edge) {
-        const auto along = index / 2 == 0 ? e1 : e0;
+        constexpr bool is_triangle = std::is_same_v<Wall, graze::triangle<T>>;
+        const auto along = is_triangle && index == 1 ? e1 - e0 : index / 2 == 0 ? e1 : e0;
         if (index % 2 != 0) {
             corner = corner + (index / 2 == 0 ? e0 : e1);
         }

@@ -1,4 +1,5 @@
-// The encounter of a ball with a ball, a plane or a wall, in exact arithmetic, by another method than the library's.
+// The encounter of a ball with a ball, a plane, a wall or a triangle, in exact arithmetic, by another method than the
+// library's.
 //
 // The square of the distance between a moving centre and a thing is the least of a few parabolas, each of which holds
 // over an interval of time: one for a ball, for the wall's face, and for each of its edges and corners. Their minima
@@ -11,6 +12,7 @@
 
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <optional>
@@ -149,43 +151,64 @@ answer meet(const graze::ball<N, T>& b, const graze::plane<N, T>& p) {
     return encounter_of({plane_piece(height, speed, dot<N>(n, n), r)}, r == 0, speed != 0, g.time());
 }
 
-template <int N, class T>
-answer meet(const graze::ball<N, T>& b, const graze::wall<N, T>& wall) {
+// A ball seen from the corner of a wall or a triangle.
+template <int N>
+struct seen_from_corner {
+    point<N> w, u;
+    mpz_class r;
+    std::array<point<N>, N - 1> e;
+    mpq_class unit;
+};
+template <int N, class T, class Shape>
+seen_from_corner<N> seen(const graze::ball<N, T>& b, const Shape& shape) {
     groups<T> g;
     collect<N>(g.lengths, b.position);
-    collect<N>(g.lengths, wall.corner);
+    collect<N>(g.lengths, shape.corner);
     g.lengths.collect(input(b.radius));
-    for (const auto& e : wall.edge) {
+    for (const auto& e : shape.edge) {
         collect<N>(g.lengths, e);
     }
     collect<N>(g.velocities, b.velocity);
+    seen_from_corner<N> s;
     const point<N> x = next<N>(g.lengths);
-    const point<N> w = x - next<N>(g.lengths);
-    const mpz_class r = g.lengths.next();
-    std::array<point<N>, N - 1> e;
-    for (auto& edge : e) {
+    s.w = x - next<N>(g.lengths);
+    s.r = g.lengths.next();
+    for (auto& edge : s.e) {
         edge = next<N>(g.lengths);
     }
-    const point<N> u = next<N>(g.velocities);
+    s.u = next<N>(g.velocities);
+    s.unit = g.time();
+    return s;
+}
 
+// The face of a wall or a triangle in space; of a triangle λ_0 + λ_1 ends at 1 as well. λ_i by Gram's determinants.
+inline piece face_piece(const seen_from_corner<3>& s, bool is_triangle) {
+    const auto& e = s.e;
+    const mpz_class e00 = dot<3>(e[0], e[0]), e01 = dot<3>(e[0], e[1]), e11 = dot<3>(e[1], e[1]);
+    const mpz_class gram = e00 * e11 - e01 * e01;
+    const auto along0 = [&](const point<3>& v) { return mpz_class(dot<3>(v, e[0]) * e11 - dot<3>(v, e[1]) * e01); };
+    const auto along1 = [&](const point<3>& v) { return mpz_class(dot<3>(v, e[1]) * e00 - dot<3>(v, e[0]) * e01); };
+    piece face = plane_piece(determinant(s.w, e[0], e[1]), determinant(s.u, e[0], e[1]), gram, s.r);
+    face.only_within(along0(s.w), along0(s.u), gram);
+    face.only_within(along1(s.w), along1(s.u), gram);
+    if (is_triangle) {
+        face.only_within(along0(s.w) + along1(s.w), along0(s.u) + along1(s.u), gram);
+    }
+    return face;
+}
+
+template <int N, class T>
+answer meet(const graze::ball<N, T>& b, const graze::wall<N, T>& wall) {
+    const auto s = seen(b, wall);
+    const auto& [w, u, r, e, unit] = s;
     std::vector<piece> pieces;
-    mpz_class speed;
     if constexpr (N == 2) {
-        speed = determinant(u, e[0]);
-        pieces.push_back(plane_piece(determinant(w, e[0]), speed, dot<2>(e[0], e[0]), r));
+        pieces.push_back(plane_piece(determinant(w, e[0]), determinant(u, e[0]), dot<2>(e[0], e[0]), r));
         pieces.back().only_within(dot<2>(w, e[0]), dot<2>(u, e[0]), dot<2>(e[0], e[0]));
         pieces.push_back(corner_piece<2>(w, u, r, 0));
         pieces.push_back(corner_piece<2>(w - e[0], u, r, 1));
     } else {
-        // λ_i by Gram's determinants.
-        const mpz_class e00 = dot<3>(e[0], e[0]), e01 = dot<3>(e[0], e[1]), e11 = dot<3>(e[1], e[1]);
-        const mpz_class gram = e00 * e11 - e01 * e01;
-        const auto along0 = [&](const point<3>& v) { return mpz_class(dot<3>(v, e[0]) * e11 - dot<3>(v, e[1]) * e01); };
-        const auto along1 = [&](const point<3>& v) { return mpz_class(dot<3>(v, e[1]) * e00 - dot<3>(v, e[0]) * e01); };
-        speed = determinant(u, e[0], e[1]);
-        pieces.push_back(plane_piece(determinant(w, e[0], e[1]), speed, gram, r));
-        pieces.back().only_within(along0(w), along0(u), gram);
-        pieces.back().only_within(along1(w), along1(u), gram);
+        pieces.push_back(face_piece(s, false));
         for (std::size_t i = 0; i < 2; ++i) {
             pieces.push_back(edge_piece<3>(w, u, e[1 - i], r, static_cast<int>(2 * i)));
             pieces.push_back(edge_piece<3>(w - e[i], u, e[1 - i], r, static_cast<int>(2 * i + 1)));
@@ -195,7 +218,23 @@ answer meet(const graze::ball<N, T>& b, const graze::wall<N, T>& wall) {
         pieces.push_back(corner_piece<3>(w - e[1], u, r, 2));
         pieces.push_back(corner_piece<3>(w - e[0] - e[1], u, r, 3));
     }
-    return encounter_of(std::move(pieces), r == 0, speed != 0, g.time());
+    const bool crosses = pieces.front().a != 0;
+    return encounter_of(std::move(pieces), r == 0, crosses, unit);
+}
+
+template <class T>
+answer meet(const graze::ball<3, T>& b, const graze::triangle<T>& triangle) {
+    const auto s = seen<3>(b, triangle);
+    const auto& [w, u, r, e, unit] = s;
+    std::vector<piece> pieces{face_piece(s, true),
+                              edge_piece<3>(w, u, e[1], r, 0),
+                              edge_piece<3>(w - e[0], u, e[1] - e[0], r, 1),
+                              edge_piece<3>(w, u, e[0], r, 2),
+                              corner_piece<3>(w, u, r, 0),
+                              corner_piece<3>(w - e[0], u, r, 1),
+                              corner_piece<3>(w - e[1], u, r, 2)};
+    const bool crosses = pieces.front().a != 0;
+    return encounter_of(std::move(pieces), r == 0, crosses, unit);
 }
 
 } // namespace oracle

@@ -36,6 +36,10 @@ template <int N, class T>
 graze::plane<N, mpq_class> exact(const graze::plane<N, T>& p) {
     return {rationals<N>(p.point), rationals<N>(p.normal)};
 }
+template <class T>
+graze::triangle<mpq_class> exact(const graze::triangle<T>& t) {
+    return {rationals<3>(t.corner), {rationals<3>(t.edge[0]), rationals<3>(t.edge[1])}};
+}
 template <int N, class T>
 graze::wall<N, mpq_class> exact(const graze::wall<N, T>& w) {
     graze::wall<N, mpq_class> r;

@@ -5,6 +5,7 @@
 
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <algorithm>
@@ -95,6 +96,15 @@ list of_one(const graze::wall<N, T>& w) {
     }
     if (spanned && parallel(w)) {
         all.push_back("wall: edges are parallel");
+    }
+    return all;
+}
+
+template <class T>
+list of_one(const graze::triangle<T>& t) {
+    list all = of_one(graze::wall<3, T>{t.corner, t.edge});
+    for (std::string& told : all) {
+        told = "triangle" + told.substr(4);
     }
     return all;
 }

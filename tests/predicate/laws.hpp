@@ -62,6 +62,19 @@ void presentation(const graze::ball<N, T>& a, graze::wall<N, T> w) {
     }
 }
 
+// A triangle's corners may be taken in another order.
+template <class T>
+void presentation(const graze::ball<3, T>& a, graze::triangle<T> t) {
+    const auto answer = answers::of(a, t);
+    std::swap(t.edge[0], t.edge[1]);
+    RC_ASSERT(answers::of(a, t) == answer);
+    graze::vec<3, T> third = t.edge[1];
+    if (add_exactly(t.corner, t.edge[0]) && add_exactly(third, -t.edge[0])) {
+        t.edge = {third, -t.edge[0]};
+        RC_ASSERT(answers::of(a, t) == answer);
+    }
+}
+
 // x 2^power is exact and no bit of it is lost.
 inline bool scales(double x, int power) { return x == 0 || std::ldexp(std::ldexp(x, power), -power) == x; }
 
@@ -181,6 +194,26 @@ void numbers_in_order(const std::optional<graze::impact_time<N, double>>& x,
         RC_ASSERT(answers::order_of(*y, upper) <= 0 || answers::order_of(*x, *y) < 0);
         RC_ASSERT(answers::order_of(*y, lower) >= 0 || answers::order_of(*x, *y) > 0);
     }
+}
+
+// 16. A wall is met when the first of its two triangles is, and with the same encounter. Says whether its corners are
+// exact and the ball is outside.
+inline bool halves_make_a_wall(const graze::ball<3, double>& a, const graze::wall<3, double>& w) {
+    graze::triangle<double> half{w.corner, w.edge}, other{w.corner, {-w.edge[0], -w.edge[1]}};
+    const auto wall = answers::of(a, w);
+    auto larger = a;
+    larger.radius = std::nextafter(a.radius, std::numeric_limits<double>::infinity());
+    auto by = graze::stage::filter;
+    if (answers::overlap_of(larger, w, by) || !add_exactly(other.corner, w.edge[0]) ||
+        !add_exactly(other.corner, w.edge[1])) {
+        return false;
+    }
+    const auto x = answers::of(a, half), y = answers::of(a, other);
+    const bool x_first = x.time && (!y.time || answers::order_of(*x.time, *y.time) <= 0);
+    const auto& first = x_first ? x : y;
+    RC_ASSERT(wall.time.has_value() == first.time.has_value());
+    RC_ASSERT(!wall.time || (answers::order_of(*wall.time, *first.time) == 0 && wall.what == first.what));
+    return true;
 }
 
 } // namespace laws

@@ -3,6 +3,7 @@
 
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <type_traits>
@@ -29,6 +30,14 @@ graze::wall<N, T> apply(graze::wall<N, T> w, L length, V, E) {
         e = length(e);
     }
     return w;
+}
+template <class T, class L, class V, class E>
+graze::triangle<T> apply(graze::triangle<T> t, L length, V, E) {
+    t.corner = length(t.corner);
+    for (auto& e : t.edge) {
+        e = length(e);
+    }
+    return t;
 }
 template <class Shape, class F>
 Shape apply(const Shape& shape, F f) {

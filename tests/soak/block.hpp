@@ -93,7 +93,7 @@ class block {
 };
 
 template <int N>
-void run_block(std::uint64_t seed, std::uint64_t first, std::uint64_t count, tallies& seen,
+void run_block(drawn what, std::uint64_t seed, std::uint64_t first, std::uint64_t count, tallies& seen,
                std::vector<std::string>& complaints) {
     std::vector<event<N>> earlier;
     for (std::size_t i = 0; i < families_drawn.size(); ++i) {
@@ -101,6 +101,16 @@ void run_block(std::uint64_t seed, std::uint64_t first, std::uint64_t count, tal
         for (std::uint64_t index = first; index < first + count; ++index) {
             const auto pair = f.draw<N>(seed, index);
             block<N> one(seen[i], earlier, families::random(seed ^ 0x5bd1e995, index * families_drawn.size() + i));
+            if (what == drawn::triangles) {
+                if constexpr (N == 3) {
+                    if (pair.kind == families::pair_kind::ball_wall &&
+                        !one.decide(pair.a, graze::triangle<double>{pair.wall.corner, pair.wall.edge})) {
+                        complaints.push_back("triangle, " + std::string(f.name) + ", seed " + std::to_string(seed) +
+                                             ", pair " + std::to_string(index));
+                    }
+                }
+                continue;
+            }
             const bool right = pair.kind == families::pair_kind::ball_ball    ? one.decide(pair.a, pair.b)
                                : pair.kind == families::pair_kind::ball_plane ? one.decide(pair.a, pair.plane)
                                                                               : one.decide(pair.a, pair.wall);

@@ -47,7 +47,7 @@ struct result {
 };
 
 // Pairs number 0 to count - 1 of every family, in the plane and in space. The answer does not depend on the threads.
-result run(std::uint64_t seed, std::uint64_t count, unsigned threads) {
+result run(drawn what, std::uint64_t seed, std::uint64_t count, unsigned threads) {
     result total;
     std::mutex guard;
     std::atomic<std::uint64_t> next = 0;
@@ -59,8 +59,8 @@ result run(std::uint64_t seed, std::uint64_t count, unsigned threads) {
                 break;
             }
             const std::uint64_t size = std::min(block_size, count - first);
-            run_block<2>(seed, first, size, mine.seen[0], mine.complaints);
-            run_block<3>(seed, first, size, mine.seen[1], mine.complaints);
+            run_block<2>(what, seed, first, size, mine.seen[0], mine.complaints);
+            run_block<3>(what, seed, first, size, mine.seen[1], mine.complaints);
         }
         const std::lock_guard lock(guard);
         total.add(mine);
@@ -132,14 +132,17 @@ int main(int argc, char** argv) {
     app.add_option("--threads", threads, "Threads; the answer does not depend on them")
         ->check(CLI::Range(1U, 1024U))
         ->capture_default_str();
+    bool triangles = false;
+    app.add_flag("--triangles", triangles, "Only the walls in space, as triangles");
     CLI11_PARSE(app, argc, argv);
 
     const std::uint64_t rows = 2 * soak::families_drawn.size();
-    const soak::result r = soak::run(seed, (count + rows - 1) / rows, threads);
+    const soak::result r =
+        soak::run(triangles ? soak::drawn::triangles : soak::drawn::all, seed, (count + rows - 1) / rows, threads);
     const soak::tally all = soak::print_table(r);
     const std::size_t shown = std::min<std::size_t>(r.complaints.size(), 100);
     for (std::size_t i = 0; i < shown; ++i) {
         std::printf("wrong: %s\n", r.complaints[i].c_str());
     }
-    return soak::promises_are_kept(all) && all.wrong == 0 && all.wrong_orders == 0 ? 0 : 1;
+    return (triangles || soak::promises_are_kept(all)) && all.wrong == 0 && all.wrong_orders == 0 ? 0 : 1;
 }

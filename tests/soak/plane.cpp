@@ -1,3 +1,4 @@
 #include "block.hpp"
 
-template void soak::run_block<2>(std::uint64_t, std::uint64_t, std::uint64_t, tallies&, std::vector<std::string>&);
+template void soak::run_block<2>(drawn, std::uint64_t, std::uint64_t, std::uint64_t, tallies&,
+                                 std::vector<std::string>&);

@@ -37,14 +37,19 @@ struct tally {
 // families_drawn[i]'s.
 using tallies = std::array<tally, families_drawn.size()>;
 
+// What is drawn: all pairs, or the walls in space alone, each as the triangle that is its half.
+enum class drawn { all, triangles };
+
 // Draws pairs number first to first + count - 1 of every family in N dimensions, and compares classify, overlaps,
 // time_of_impact, the order of times and their order against doubles with the oracle. A pair decided wrongly is
 // described in `complaints`.
 template <int N>
-void run_block(std::uint64_t seed, std::uint64_t first, std::uint64_t count, tallies& seen,
+void run_block(drawn what, std::uint64_t seed, std::uint64_t first, std::uint64_t count, tallies& seen,
                std::vector<std::string>& complaints);
 
-extern template void run_block<2>(std::uint64_t, std::uint64_t, std::uint64_t, tallies&, std::vector<std::string>&);
-extern template void run_block<3>(std::uint64_t, std::uint64_t, std::uint64_t, tallies&, std::vector<std::string>&);
+extern template void run_block<2>(drawn, std::uint64_t, std::uint64_t, std::uint64_t, tallies&,
+                                  std::vector<std::string>&);
+extern template void run_block<3>(drawn, std::uint64_t, std::uint64_t, std::uint64_t, tallies&,
+                                  std::vector<std::string>&);
 
 } // namespace soak

@@ -116,7 +116,7 @@ class contact_solver final : public solver {
         case pair_kind::ball_wall:
             break;
         }
-        const graze::wall_encounter met = graze::detail::decide_wall(pair.a, pair.wall, graze::ignore_stage{});
+        const graze::wall_encounter met = graze::classify_feature(pair.a, pair.wall);
         return to.decided(met.what, met.where, met.index);
     }
 

@@ -1,4 +1,4 @@
-// When, where and how a flight meets a plane or a wall and leaves it, every number correctly rounded.
+// When, where and how a flight meets a plane, a wall or a triangle and leaves it, every number correctly rounded.
 #pragma once
 
 #include <graze/contact/collide_walls.hpp>
@@ -22,13 +22,11 @@ struct clock_of_flight {
     }
     // Rounds the time, if it is wanted, and returns what is left.
     template <class P, int N, class Shape>
-    [[nodiscard]] constexpr parts without_time(wall_contact<N, T>& c, parts wanted, const wall_encounter& found, P pair,
+    [[nodiscard]] constexpr parts without_time(wall_contact<N, T>& c, parts wanted, encounter what, int number, P pair,
                                                const ball<N, T>& b, const Shape& shape) const {
         if (has_time(wanted)) {
-            const auto kind = std::is_same_v<P, ball_and_plane<N>> ? event_kind::plane : kind_of<N>(found.where);
-            const event<N, T> e(pair, flight<N, T>{b, since}, shape, kind, found.index, false);
-            c.time =
-                found.what == encounter::overlap ? start_of<T>({since, since}) : round_exactly<T>(e, rounding::nearest);
+            const event<N, T> e(pair, flight<N, T>{b, since}, shape, kind_of<N>(pair, c.feature), number, false);
+            c.time = what == encounter::overlap ? start_of<T>({since, since}) : round_exactly<T>(e, rounding::nearest);
         }
         return wanted & ~parts{1};
     }
@@ -36,28 +34,17 @@ struct clock_of_flight {
 
 } // namespace detail
 
-// The contact of a flight and an infinite plane; empty when it recedes. The mass has no part in it.
-template <int N, std::floating_point T, class Observer = ignore_stage>
+// The contact of a flight and a plane, a wall or a triangle, at its face, an edge or a corner, whichever is met first;
+// empty for recede and miss. The mass has no part in it.
+template <int N, std::floating_point T, detail::standing_in<N, T> Shape, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const plane<N, T>& p,
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const Shape& shape,
                                                                   Observer&& observer = {}) {
     detail::check(f, "flight");
     stage by{};
-    const auto met = detail::meet_flat(f.state, p, by);
-    return detail::contact_of(detail::ball_and_plane<N>{}, {met.found.what, feature::face, 0}, by, f.state, p, observer,
-                              detail::clock_of_flight<T>{f.since}, met.bounds.near);
-}
-
-// The contact of a flight and a wall, at its face, an edge or a corner, whichever is met first.
-template <int N, std::floating_point T, class Observer = ignore_stage>
-requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const wall<N, T>& w,
-                                                                  Observer&& observer = {}) {
-    detail::check(f, "flight");
-    stage by{};
-    const auto met = detail::meet_flat(f.state, w, by);
-    return detail::contact_of(detail::ball_and_wall<N>{}, {met.found.what, met.found.where, met.found.index}, by,
-                              f.state, w, observer, detail::clock_of_flight<T>{f.since}, met.bounds.near);
+    const auto met = detail::meet_flat(f.state, shape, by);
+    return detail::contact_of(detail::pair_with<Shape>{}, {met.found.what, met.found.where, met.found.index}, by,
+                              f.state, shape, observer, detail::clock_of_flight<T>{f.since}, met.bounds.near);
 }
 
 } // namespace graze::inline v0_1

@@ -1,4 +1,4 @@
-// When, where and how a ball meets a plane or a wall and leaves it, every number correctly rounded.
+// When, where and how a ball meets a plane, a wall or a triangle and leaves it, every number correctly rounded.
 #pragma once
 
 #include <graze/contact/fast_wall.hpp>
@@ -60,7 +60,7 @@ template <class P, int N, class T, class Shape, class Clock>
     parts wanted = all_parts;
     if (time > 0) {
         const auto row = packed<P>(b, shape);
-        const auto kind = std::is_same_v<P, ball_and_plane<N>> ? event_kind::plane : kind_of<N>(c.feature);
+        const auto kind = kind_of<N>(pair, c.feature);
         wanted = with_best_products(flat_contact_near<N, T, Clock>{&c, kind, index, row.data(), time, &clock});
     }
     return wanted == 0 ? wanted : wanted & fast_wall(pair, c, what, index, b, shape, clock);
@@ -77,6 +77,9 @@ contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, 
     }
     std::optional<wall_contact<N, T>> c(std::in_place);
     c->feature = found.where;
+    c->index = found.index;
+    const int number = number_in_wall<Shape>(found);
+    const auto& whole = as_wall(shape);
     c->velocity = b.velocity;
     if (found.what == encounter::overlap) {
         c->position = with_plain_zeros(b.position);
@@ -84,14 +87,24 @@ contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, 
     parts wanted = all_parts;
     if constexpr (has_error_free_doubles) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
-            wanted = contact_by_words(pair, *c, found.what, found.index, b, shape, time, clock);
+            wanted = contact_by_words(pair, *c, found.what, number, b, whole, time, clock);
         }
     }
     if (wanted != 0) {
-        complete(pair, *c, clock.without_time(*c, wanted, found, pair, b, shape), found.what, found.index, b, shape);
+        complete(pair, *c, clock.without_time(*c, wanted, found.what, number, pair, b, whole), found.what, number, b,
+                 whole);
     }
     observer(wanted != 0 ? stage::exact : decided_by);
     return c;
+}
+
+template <int N, class T, class Shape, class Observer>
+[[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide_with(const ball<N, T>& b, const Shape& shape,
+                                                                       Observer&& observer) {
+    stage by{};
+    const auto met = meet_flat(b, shape, by);
+    return contact_of(pair_with<Shape>{}, {met.found.what, met.found.where, met.found.index}, by, b, shape, observer,
+                      own_clock{}, met.bounds.near);
 }
 
 } // namespace detail
@@ -103,22 +116,22 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const ball<N, T>& b, const plane<N, T>& p,
                                                                   Observer&& observer = {}) {
-    stage by{};
-    const auto met = detail::meet_flat(b, p, by);
-    return detail::contact_of(detail::ball_and_plane<N>{}, {met.found.what, feature::face, 0}, by, b, p, observer,
-                              detail::own_clock{}, met.bounds.near);
+    return detail::collide_with(b, p, observer);
 }
 
-// The contact of a ball and a wall, at its face, an edge or a corner, whichever is met first; empty for recede and
-// miss.
+// The contact of a ball and a wall or a triangle, at its face, an edge or a corner, whichever is met first; empty for
+// recede and miss.
 template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const ball<N, T>& b, const wall<N, T>& w,
                                                                   Observer&& observer = {}) {
-    stage by{};
-    const auto met = detail::meet_flat(b, w, by);
-    return detail::contact_of(detail::ball_and_wall<N>{}, {met.found.what, met.found.where, met.found.index}, by, b, w,
-                              observer, detail::own_clock{}, met.bounds.near);
+    return detail::collide_with(b, w, observer);
+}
+template <std::floating_point T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<wall_contact<3, T>> collide(const ball<3, T>& b, const triangle<T>& t,
+                                                                  Observer&& observer = {}) {
+    return detail::collide_with(b, t, observer);
 }
 
 } // namespace graze::inline v0_1

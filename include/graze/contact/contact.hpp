@@ -22,9 +22,10 @@ struct contact {
     [[nodiscard]] friend constexpr bool operator==(const contact&, const contact&) = default;
 };
 
-// Of a ball and a plane or a wall, rounded alike. position: of the centre then. point: where the plane or wall is
-// touched; of an overlap the point of it that is nearest to the centre. normal: the unit vector from there to the ball;
-// zero when a point grazes a border. feature: which one of the wall is met; of a plane always the face.
+// Of a ball and a plane, a wall or a triangle, rounded alike. position: of the centre then. point: where the plane or
+// wall is touched; of an overlap the point of it that is nearest to the centre. normal: the unit vector from there to
+// the ball; zero when a point grazes a border. feature, index: which one of the wall or triangle is met, as in
+// wall_encounter; of a plane always the face.
 template <int N, class T = double>
 struct wall_contact {
     T time{};
@@ -32,6 +33,7 @@ struct wall_contact {
     vec<N, T> normal{};
     vec<N, T> velocity{};
     graze::feature feature = graze::feature::face;
+    int index = 0;
 
     [[nodiscard]] friend constexpr bool operator==(const wall_contact&, const wall_contact&) = default;
 };

@@ -243,13 +243,13 @@ struct flat_contact_near {
             return take.open_parts();
         }
         const bool is_edge = N == 3 && kind == event_kind::edge;
-        const int from_corner = is_edge ? ends_of_border(index, false).start : index;
+        const int from_corner = is_edge ? edge_view(index).corner : index;
         const auto from = centre_in_parts(f, from_corner);
         parts_vector<N> d{};
         flat_time t{};
         if constexpr (N == 3) {
             if (is_edge) {
-                d = exact_parts<3>(index >= 2 ? f.edge[0] : f.edge[1]);
+                d = edge_in_parts<3>(f, index);
                 t = touch_edge<Fused>(from, f.u, d, f.r, time);
             }
         }

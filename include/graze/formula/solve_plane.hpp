@@ -1,6 +1,7 @@
 // graze::solve for a ball and an infinite plane.
 #pragma once
 
+#include <graze/formula/plane_crossing.hpp>
 #include <graze/formula/solution.hpp>
 
 namespace graze::inline v0_1 {

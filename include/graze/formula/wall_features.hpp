@@ -1,28 +1,25 @@
-// A ball against a wall's face, edges and corners: the rectangle test and everything else that section 2.2 of the
-// source lacks.
+// A ball against a wall's face, edges and corners as numbers from which times and contacts follow, without a division.
 //
-// The wall is the set corner + Σ λ_i e_i with 0 <= λ_i <= 1. All tests are signs of numbers p + q√d. These are formulas
-// in w = x - corner, u, e and r, without a division.
+// The wall is the set corner + Σ λ_i e_i with 0 <= λ_i <= 1, and w = x - corner.
 #pragma once
 
 #include <graze/formula/plane_crossing.hpp>
-#include <graze/number/sqrt_extension.hpp>
+#include <graze/formula/wall_encounter.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 namespace graze::inline v0_1 {
 
-// A ball seen from a wall. n is perpendicular to the wall: e₀ × e₁ in space, the edge turned by 90° in the plane.
-// side[i] is the direction in the wall along which only λ_i grows, scaled so that λ_i = w·side[i] / n·n.
-template <int N, class X, class U, class E, class S, class NN, class M>
+// A ball seen from a wall or a triangle.
+template <int N, class X, class U, class E, class S>
 struct wall_motion {
     vec<N, X> w;
     vec<N, U> u;
     std::array<vec<N, E>, N - 1> e;
     S r;
-    vec<N, NN> n;
-    std::array<vec<N, M>, N - 1> side;
 };
 
+// Perpendicular to the wall: e₀ × e₁ in space, the edge turned by 90° in the plane.
 template <int N, class E, std::size_t Edges>
 [[nodiscard]] constexpr auto face_normal(const std::array<vec<N, E>, Edges>& e) {
     if constexpr (N == 2) {
@@ -35,36 +32,46 @@ template <int N, class E, std::size_t Edges>
 template <int N, class X, class U, class E, class S>
 [[nodiscard]] constexpr auto wall_motion_of(const vec<N, X>& w, const vec<N, U>& u,
                                             const std::array<vec<N, E>, N - 1>& e, const S& r) {
-    const auto n = face_normal(e);
-    if constexpr (N == 2) {
-        return wall_motion<2, X, U, E, S, E, E>{w, u, e, r, n, {e[0]}};
-    } else {
-        const auto side0 = graze::cross(e[1], n);
-        const auto side1 = graze::cross(n, e[0]);
-        using NN = std::remove_cvref_t<decltype(n[0])>;
-        using M = std::remove_cvref_t<decltype(side0[0])>;
-        return wall_motion<3, X, U, E, S, NN, M>{w, u, e, r, n, {side0, side1}};
-    }
+    return wall_motion<N, X, U, E, S>{w, u, e, r};
 }
 
 template <int N, class T>
 [[nodiscard]] constexpr auto relative_motion_of(const ball<N, T>& b, const wall<N, T>& w) {
     return wall_motion_of(b.position - w.corner, b.velocity, w.edge, b.radius);
 }
+template <class T>
+[[nodiscard]] constexpr auto relative_motion_of(const ball<3, T>& b, const triangle<T>& t) {
+    return wall_motion_of<3>(b.position - t.corner, b.velocity, t.edge, b.radius);
+}
 
-// The plane in which the wall lies.
-template <int N, class X, class U, class E, class S, class NN, class M>
-[[nodiscard]] constexpr auto face_of(const wall_motion<N, X, U, E, S, NN, M>& m) {
-    return plane_motion<N, X, U, NN, S>{m.w, m.u, m.n, m.r};
+// The plane in which it lies.
+template <int N, class X, class U, class E, class S>
+[[nodiscard]] constexpr auto face_of(const wall_motion<N, X, U, E, S>& m) {
+    return plane_motion{m.w, m.u, face_normal(m.e), m.r};
 }
 
 // A wall seen from its corner number `corner` (λ_0 + 2 λ_1): that corner is the origin, and the edges run from it along
 // the wall, exchanged if `swapped`. So every edge is the edge λ_0 = 0, which runs along e[1], of some view, and every
-// corner the corner 0 of some view.
+// corner the corner 0 of some view. slanted: seen from corner 1, the second edge leads to corner 2.
 struct wall_view {
     int corner = 0;
     bool swapped = false;
+    bool slanted = false;
 };
+// What an edge is called among all of a wall's and a triangle's: a triangle's own third one is number 4.
+inline constexpr int slanted_edge = 4;
+[[nodiscard]] constexpr int edge_number(int index, bool is_triangle) noexcept {
+    return is_triangle && index == 1 ? slanted_edge : index;
+}
+[[nodiscard]] constexpr int feature_number(feature where, int index, bool is_triangle) noexcept {
+    return where == feature::edge ? edge_number(index, is_triangle) : index;
+}
+// The view in which that edge is the edge λ_0 = 0.
+[[nodiscard]] constexpr wall_view edge_view(int number) noexcept {
+    return number == slanted_edge ? wall_view{1, false, true}
+           : number < 2           ? wall_view{number, false}
+                                  : wall_view{(number - 2) << 1, true};
+}
 
 // The view's edges, from those of the wall.
 template <int N, class E, std::size_t Edges>
@@ -77,6 +84,11 @@ template <int N, class E, std::size_t Edges>
     if constexpr (N == 2) {
         return std::array<vec<2, E>, 1>{edge(0)};
     } else {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(e[1][0] - e[0][0])>, E>) {
+            if (view.slanted) {
+                return std::array<vec<3, E>, 2>{edge(0), e[1] - e[0]};
+            }
+        }
         return view.swapped ? std::array<vec<3, E>, 2>{edge(1), edge(0)} : std::array<vec<3, E>, 2>{edge(0), edge(1)};
     }
 }
@@ -97,55 +109,10 @@ template <int N, class X, class E, std::size_t Edges>
     }
 }
 
-template <int N, class X, class U, class E, class S, class NN, class M>
-[[nodiscard]] constexpr auto seen_from(const wall_motion<N, X, U, E, S, NN, M>& m, wall_view view) {
+template <int N, class X, class U, class E, class S>
+[[nodiscard]] constexpr auto seen_from(const wall_motion<N, X, U, E, S>& m, wall_view view) {
     return wall_motion_of(centre_seen_from(m.w, m.e, view), m.u, edges_seen_from(m.e, view), m.r);
 }
-
-// w·side_i - far n·n: negative where λ_i < far (far is 0 or 1).
-template <int I, int Far>
-struct side_height {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        if constexpr (Far == 0) {
-            return graze::dot(m.w, m.side[I]);
-        } else {
-            return graze::dot(m.w, m.side[I]) - graze::squared_norm(m.n);
-        }
-    }
-};
-
-// u·side_i: how fast side_height grows.
-template <int I>
-struct side_speed {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::dot(m.u, m.side[I]);
-    }
-};
-
-// The rectangle test at the time t at which the ball touches the face's plane: (λ_i(t) - far) n·n (u·n) = p - σ q√d,
-// with the following p, q and d, and σ the sign of u·n.
-template <int I, int Far>
-struct face_foot_p {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return plane_speed{}(m)*side_height<I, Far>{}(m)-plane_height{}(m)*side_speed<I>{}(m);
-    }
-};
-template <int I>
-struct face_foot_q {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return m.r * side_speed<I>{}(m);
-    }
-};
-struct face_foot_d {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::squared_norm(m.n);
-    }
-};
 
 // The ball against the infinite line along the view's edge e = e[1], in space. Distances across the line are |· × e| /
 // |e|. Multiplied by e·e, the coefficients are a = |u × e|², h = ⟨w × e, u × e⟩, c = |w × e|² - r² e·e.
@@ -206,36 +173,11 @@ struct edge_foot_speed {
     }
 };
 
-// The ball against the view's corner, as a ball of radius 0 at rest: F is coefficient_a, coefficient_h, coefficient_c
-// or discriminant_lagrange.
+// The ball against the view's corner, as a ball of radius 0 at rest.
 template <class M>
 [[nodiscard]] constexpr auto corner_motion(const M& m) {
     return relative_motion{m.w, m.u, m.r};
 }
-template <class F>
-struct corner_formula {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return F{}(corner_motion(m));
-    }
-};
-
-// The centre's distance from the corner along edge i, times its length, and how fast it grows.
-template <int I>
-struct coordinate_along {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::dot(m.w, m.e[I]);
-    }
-};
-template <int I>
-struct speed_along {
-    template <class M>
-    [[nodiscard]] constexpr auto operator()(const M& m) const {
-        return graze::dot(m.u, m.e[I]);
-    }
-};
-
 // A quantity x + v t at the smaller root of a t² + 2 h t + c is (p - v√D)/a, with this p.
 template <class A, class H, class X, class V>
 struct value_at_root {

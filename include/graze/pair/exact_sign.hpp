@@ -2,8 +2,8 @@
 #pragma once
 
 #include <graze/exact/estimate.hpp>
+#include <graze/formula/plane_crossing.hpp>
 #include <graze/formula/relative_motion.hpp>
-#include <graze/formula/wall_features.hpp>
 
 #include <array>
 
@@ -24,10 +24,6 @@ template <int N, class R>
 [[nodiscard]] constexpr bool is_long(const plane_motion<N, big_integer, big_integer, big_integer, R>& m) noexcept {
     return is_long(m.w) || is_long(m.u) || is_long(m.n);
 }
-template <int N, class E, class R, class NN, class M>
-[[nodiscard]] constexpr bool is_long(const wall_motion<N, big_integer, big_integer, E, R, NN, M>& m) noexcept {
-    return is_long(m.w) || is_long(m.u) || is_long(m.n);
-}
 
 template <int N, class T>
 [[nodiscard]] constexpr vec<N, estimate> estimated(const vec<N, T>& x) noexcept {
@@ -40,16 +36,6 @@ template <int N, class X, class U, class S>
 template <int N, class X, class U, class E, class S>
 [[nodiscard]] constexpr auto estimated(const plane_motion<N, X, U, E, S>& m) noexcept {
     return plane_motion{estimated(m.w), estimated(m.u), estimated(m.n), estimate_of(m.r)};
-}
-template <int N, class X, class U, class E, class S, class NN, class M>
-[[nodiscard]] constexpr auto estimated(const wall_motion<N, X, U, E, S, NN, M>& m) noexcept {
-    wall_motion<N, estimate, estimate, estimate, estimate, estimate, estimate> r{estimated(m.w),   estimated(m.u), {},
-                                                                                 estimate_of(m.r), estimated(m.n), {}};
-    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
-        r.e[i] = estimated(m.e[i]);
-        r.side[i] = estimated(m.side[i]);
-    }
-    return r;
 }
 
 // The exact sign of f(m). instead(e), e the motion in estimates, is the same number, perhaps in a form that cancels

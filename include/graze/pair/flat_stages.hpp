@@ -180,13 +180,9 @@ template <class Row>
     }
     return true;
 }
-template <int N, class T>
-[[nodiscard]] constexpr bool is_moderate(const ball<N, T>& b, const wall<N, T>& w) noexcept {
-    return is_moderate_row(packed<ball_and_wall<N>>(b, w));
-}
-template <int N, class T>
-[[nodiscard]] constexpr bool is_moderate(const ball<N, T>& b, const plane<N, T>& p) noexcept {
-    return is_moderate_row(packed<ball_and_plane<N>>(b, p));
+template <int N, class T, class Shape>
+[[nodiscard]] constexpr bool is_moderate(const ball<N, T>& b, const Shape& s) noexcept {
+    return is_moderate_row(packed<pair_with<Shape>>(b, s));
 }
 
 } // namespace graze::inline v0_1::detail

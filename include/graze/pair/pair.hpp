@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -94,8 +95,9 @@ struct ball_and_wall {
     static constexpr std::size_t normals = 0;
     static constexpr std::size_t epochs = 1;
 
-    template <class T>
-    static constexpr void pack(T* row, const ball<N, T>& b, const wall<N, T>& w) noexcept {
+    // Of a wall or a triangle.
+    template <class T, class W>
+    static constexpr void pack(T* row, const ball<N, T>& b, const W& w) noexcept {
         for (std::size_t i = 0; i < n; ++i) {
             row[i] = b.position.component[i];
             row[n + i] = w.corner.component[i];
@@ -130,6 +132,49 @@ struct ball_and_wall {
         return relative_motion_of(s.ball, s.wall);
     }
 };
+
+// The pair kind of a ball and what stands. A triangle is the half of a wall.
+template <class Shape>
+struct kind_of_pair_with;
+template <int N, class T>
+struct kind_of_pair_with<plane<N, T>> {
+    using type = ball_and_plane<N>;
+};
+template <int N, class T>
+struct kind_of_pair_with<wall<N, T>> {
+    using type = ball_and_wall<N>;
+};
+template <class T>
+struct kind_of_pair_with<triangle<T>> {
+    using type = ball_and_wall<3>;
+};
+template <class Shape>
+using pair_with = typename kind_of_pair_with<Shape>::type;
+
+// A plane, wall or triangle of that dimension and type.
+template <class Shape, int N, class T>
+concept standing_in = std::same_as<Shape, plane<N, T>> || std::same_as<Shape, wall<N, T>> ||
+    (N == 3 && std::same_as<Shape, triangle<T>>);
+// A plane, wall or triangle.
+template <class Shape>
+concept standing = requires {
+    typename pair_with<Shape>;
+};
+
+template <class Shape>
+inline constexpr bool is_triangle = false;
+template <class T>
+inline constexpr bool is_triangle<triangle<T>> = true;
+
+// A triangle as the wall of which it is the half: its features are that one's but for the slanted edge.
+template <class Shape>
+[[nodiscard]] constexpr const Shape& as_wall(const Shape& s) noexcept {
+    return s;
+}
+template <class T>
+[[nodiscard]] constexpr wall<3, T> as_wall(const triangle<T>& t) noexcept {
+    return {t.corner, t.edge};
+}
 
 // The row of a pair of kind P.
 template <class P, int N, class T, class Y>

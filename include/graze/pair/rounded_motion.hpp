@@ -4,7 +4,8 @@
 #include <graze/analysis/error_bound.hpp>
 #include <graze/exact/binary.hpp>
 #include <graze/exact/integer.hpp>
-#include <graze/formula/wall_features.hpp>
+#include <graze/formula/plane_crossing.hpp>
+#include <graze/formula/relative_motion.hpp>
 #include <graze/machine/fence.hpp>
 #include <graze/number/floating.hpp>
 
@@ -56,16 +57,6 @@ template <int N, class T>
                         to_double(wide(b.radius))};
 }
 
-template <int N, class T>
-[[nodiscard]] constexpr auto rounded_motion(const ball<N, T>& b, const wall<N, T>& w) noexcept {
-    std::array<vec<N, double>, N - 1> edge{};
-    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
-        edge[i] = rounded(wide(w.edge[i]));
-    }
-    return wall_motion_of(rounded(wide(b.position) - wide(w.corner)), rounded(wide(b.velocity)), edge,
-                          to_double(wide(b.radius)));
-}
-
 // The same motions for error_bound, each vector against the scale that bounds its norm. Inputs of double and narrower
 // types are exact and their differences rounded once; what comes from 64-bit integers is rounded at most twice.
 template <class T>
@@ -98,18 +89,6 @@ struct plane_bounds {
     [[nodiscard]] static consteval auto value() {
         return plane_motion{bounded_vector<N>(bounded_length<T>(1)), bounded_vector<N>(bounded_velocity<T>(0)),
                             bounded_vector<N>(bounded_normal<T>()), bounded_length<T>(0)};
-    }
-};
-template <int N, class T>
-struct wall_bounds { // as any view sees it: w has up to N - 1 edges taken off
-    [[nodiscard]] static consteval auto value() {
-        std::array<vec<N, error_bound>, N - 1> edge;
-        for (auto& e : edge) {
-            e = bounded_vector<N>(bounded_length<T>(0));
-        }
-        return seen_from(wall_motion_of(bounded_vector<N>(bounded_length<T>(1)),
-                                        bounded_vector<N>(bounded_velocity<T>(0)), edge, bounded_length<T>(0)),
-                         wall_view{N == 2 ? 1 : 3, false});
     }
 };
 

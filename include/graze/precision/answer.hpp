@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/formula/wall_encounter.hpp>
+#include <graze/linear/vec.hpp>
 #include <graze/precision/number_access.hpp>
 
 #include <optional>

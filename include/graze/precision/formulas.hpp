@@ -3,8 +3,8 @@
 
 #include <graze/formula/root_order.hpp>
 #include <graze/formula/solve_balls.hpp>
+#include <graze/formula/solve_flat.hpp>
 #include <graze/formula/solve_plane.hpp>
-#include <graze/formula/solve_wall.hpp>
 #include <graze/precision/subject.hpp>
 
 namespace graze::inline v0_1::precision {

@@ -1,4 +1,4 @@
-// What becomes of a flight and a plane or a wall, exactly.
+// What becomes of a flight and a plane, a wall or a triangle, exactly.
 #pragma once
 
 #include <graze/predicate/classify_balls.hpp>
@@ -8,18 +8,20 @@
 
 namespace graze::inline v0_1 {
 
-// Whether a flight meets a plane or a wall from its `since` on, exactly. Throws as for balls, naming the flight.
-template <int N, std::floating_point T, class Observer = ignore_stage>
+// Whether a flight meets a plane, a wall or a triangle from its `since` on, and which feature of it, exactly. Throws as
+// for balls, naming the flight.
+template <int N, std::floating_point T, detail::standing_in<N, T> Shape, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard]] constexpr encounter classify(const flight<N, T>& f, const plane<N, T>& p, Observer&& observer = {}) {
+[[nodiscard]] constexpr encounter classify(const flight<N, T>& f, const Shape& shape, Observer&& observer = {}) {
     detail::check(f, "flight");
-    return classify(f.state, p, observer);
+    return classify(f.state, shape, observer);
 }
-template <int N, std::floating_point T, class Observer = ignore_stage>
+template <int N, std::floating_point T, detail::standing_in<N, T> Shape, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard]] constexpr encounter classify(const flight<N, T>& f, const wall<N, T>& w, Observer&& observer = {}) {
+[[nodiscard]] constexpr wall_encounter classify_feature(const flight<N, T>& f, const Shape& shape,
+                                                        Observer&& observer = {}) {
     detail::check(f, "flight");
-    return classify(f.state, w, observer);
+    return classify_feature(f.state, shape, observer);
 }
 
 } // namespace graze::inline v0_1

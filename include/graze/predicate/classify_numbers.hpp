@@ -3,9 +3,13 @@
 #pragma once
 
 #include <graze/exact/binary.hpp>
-#include <graze/formula/solve_wall.hpp>
+#include <graze/formula/solve_flat.hpp>
 #include <graze/machine/failure.hpp>
+#include <graze/pair/flat_stages.hpp>
+#include <graze/pair/input_check.hpp>
 
+#include <concepts>
+#include <stdexcept>
 #include <string>
 
 namespace graze::inline v0_1 {
@@ -19,31 +23,75 @@ constexpr void require_radius(const ball<N, T>& b, const char* argument) {
     }
 }
 
-// wall_decision's questions answered in an exact type, whose sums and products may be other types than T.
-template <class M>
-class exact_signs {
-  public:
-    constexpr explicit exact_signs(const M& m) : m_(m) {}
+// Whether sums and products of T are of T again.
+template <class T>
+concept closed_number = std::same_as<std::remove_cvref_t<decltype(std::declval<T>() * std::declval<T>())>, T> &&
+    std::same_as<std::remove_cvref_t<decltype(std::declval<T>() + std::declval<T>())>, T>;
 
-    template <class F>
-    [[nodiscard]] constexpr int operator()(wall_view view, F f) const {
-        return graze::sign(f(seen_from(m_, view)));
+template <int B>
+[[nodiscard]] constexpr big_integer big(workspace& room, const integer<B>& x) {
+    const integer<B> magnitude = x.is_negative() ? -x : x;
+    big_integer sum(0);
+    for (int i = 0; 32 * i < B; ++i) {
+        const std::uint64_t half = magnitude.limb(i / 2) >> (i % 2 * 32) & 0xffffffffU;
+        sum = sum + big_integer::from_shifted(room, static_cast<std::int64_t>(half), 32 * i);
     }
-    template <class P, class Q, class D>
-    [[nodiscard]] constexpr int root(wall_view view, P p, Q q, D d, int flip) const {
-        const auto m = seen_from(m_, view);
-        return flip < 0 ? sign_of_root_sum(p(m), -q(m), d(m)) : sign_of_root_sum(p(m), q(m), d(m));
-    }
-    [[nodiscard]] constexpr int edge_discriminant(wall_view view) const {
-        return (*this)(view, edge_reduced_discriminant{});
-    }
-    [[nodiscard]] constexpr int corner_discriminant(wall_view view) const {
-        return (*this)(view, corner_formula<discriminant_lagrange>{});
-    }
+    return x.is_negative() ? -sum : sum;
+}
+template <int N, int B>
+[[nodiscard]] constexpr vec<N, big_integer> big(workspace& room, const vec<N, integer<B>>& x) {
+    return make_vec<N>([&](int i) { return big(room, x[i]); });
+}
 
-  private:
-    const M& m_;
+// Answers the questions of flat_decision in an exact type.
+struct exact_number_judge {
+    static constexpr bool has_roots = false;
+
+    template <class F, class X>
+    [[nodiscard]] constexpr int operator()(F f, const X& x) const {
+        return graze::sign(f(x));
+    }
 };
+
+// Of a wall or a triangle. use(way, decision)
+template <int N, class T, class Shape, class F>
+[[nodiscard]] constexpr auto with_decision(const ball<N, T>& b, const Shape& s, F use) {
+    const auto decide = [&]<class X, class Judge>(const flat_motion<N, X>& m, const Judge& judge) {
+        const auto way = way_of(m);
+        return use(way, flat_decision<N, X, Judge>(m, way, judge));
+    };
+    if constexpr (closed_number<T>) {
+        return decide(flat_motion_of(b, s), exact_number_judge{});
+    } else {
+        exact_workspace room;
+        flat_motion<N, big_integer> m{big(room, b.position) - big(room, s.corner),
+                                      big(room, b.velocity),
+                                      {},
+                                      big(room, b.radius),
+                                      is_triangle<Shape>};
+        for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
+            m.e[i] = big(room, s.edge[i]);
+        }
+        return decide(m, exact_judge{&room});
+    }
+}
+
+template <int N, class T, class Shape>
+[[nodiscard]] constexpr wall_encounter decide_in_numbers(const ball<N, T>& b, const Shape& s) {
+    require_radius(b, "ball");
+    for (const auto& e : s.edge) {
+        if (graze::sign(graze::squared_norm(e)) == 0) {
+            fail<std::domain_error>(std::string(name_of(s)) + ": edge is zero");
+        }
+    }
+    return with_decision(b, s, [&](const auto& way, const auto& decision) {
+        if (graze::sign(way.nn) == 0) {
+            fail<std::domain_error>(std::string(name_of(s)) + ": edges are parallel");
+        }
+        const flat_answer found = decision();
+        return wall_encounter{found.what, found.where, found.index};
+    });
+}
 
 } // namespace detail
 
@@ -70,18 +118,28 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const b
 }
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const wall<N, T>& w) {
-    detail::require_radius(b, "ball");
-    const auto m = relative_motion_of(b, w);
-    for (const auto& e : w.edge) {
-        if (graze::sign(graze::squared_norm(e)) == 0) {
-            detail::fail<std::domain_error>("wall: edge is zero");
-        }
-    }
-    if (graze::sign(graze::squared_norm(m.n)) == 0) {
-        detail::fail<std::domain_error>("wall: edges are parallel");
-    }
-    detail::exact_signs<std::remove_cvref_t<decltype(m)>> signs(m);
-    return wall_decision<N, decltype(signs)>(signs)().what;
+    return detail::decide_in_numbers(b, w).what;
+}
+template <exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<3, T>& b, const triangle<T>& t) {
+    return detail::decide_in_numbers(b, t).what;
+}
+
+// And of which feature, as classify_feature of doubles.
+template <int N, exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr wall_encounter
+    classify_feature(const ball<N, T>& b, const plane<N, T>& p) {
+    return {classify(b, p), feature::face, 0};
+}
+template <int N, exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr wall_encounter
+    classify_feature(const ball<N, T>& b, const wall<N, T>& w) {
+    return detail::decide_in_numbers(b, w);
+}
+template <exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr wall_encounter
+    classify_feature(const ball<3, T>& b, const triangle<T>& t) {
+    return detail::decide_in_numbers(b, t);
 }
 
 // In an inexact type that classify has no proven filter for, the formulas promise nothing.

@@ -1,9 +1,8 @@
-// What becomes of a ball and a plane or a wall, exactly.
+// What becomes of a ball and a plane, a wall or a triangle, exactly.
 #pragma once
 
 #include <graze/formula/encounter.hpp>
 #include <graze/pair/plane_signs.hpp>
-#include <graze/pair/wall_signs.hpp>
 #include <graze/predicate/decide_flat.hpp>
 
 namespace graze::inline v0_1 {
@@ -26,20 +25,10 @@ requires is_binary_input<T>
     return what;
 }
 
-namespace detail {
-
-template <int N, class T, class Observer>
-[[nodiscard]] constexpr wall_encounter decide_wall(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer) {
-    stage by{};
-    const flat_answer found = decide_flat<flat_question::feature>(b, w, by);
-    observer(by);
-    return {found.what, found.where, found.index};
-}
-
-} // namespace detail
-
 // Laws 1 to 4 and 6 of classify_balls.hpp, and
-//   8. a wall is met no earlier than its plane, where both are met.
+//   8. a wall is met no earlier than its plane, where both are met;
+//   16. of the two triangles into which a diagonal cuts a wall, the first that is met is met when the wall is, and with
+//       the same encounter, if the ball does not touch it at the start and no corner is rounded.
 
 // Whether a ball meets a bounded wall, exactly, for every finite input: its face, an edge or a corner, whichever is
 // first. Throws as for a plane when an input is not finite, the radius is negative, an edge is zero or the edges are
@@ -51,6 +40,50 @@ requires is_binary_input<T>
     const encounter what = detail::decide_flat<detail::flat_question::what>(b, w, by).what;
     observer(by);
     return what;
+}
+
+// The same of a triangle.
+template <class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr encounter classify(const ball<3, T>& b, const triangle<T>& t, Observer&& observer = {}) {
+    stage by{};
+    const encounter what = detail::decide_flat<detail::flat_question::what>(b, t, by).what;
+    observer(by);
+    return what;
+}
+
+namespace detail {
+
+template <int N, class T, class Shape, class Observer>
+[[nodiscard]] constexpr wall_encounter classify_flat(const ball<N, T>& b, const Shape& shape, Observer&& observer) {
+    stage by{};
+    const flat_answer found = decide_flat<flat_question::feature>(b, shape, by);
+    observer(by);
+    return {found.what, found.where, found.index};
+}
+
+} // namespace detail
+
+// What classify says, and of which feature: where the ball touches first, or of an overlap the closest one now. Of
+// features that are touched at the same time the face comes before edges and edges before corners; which of several
+// edges it is depends on nothing but the pair. A plane has its face alone. Throws as classify does.
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr wall_encounter classify_feature(const ball<N, T>& b, const plane<N, T>& p,
+                                                        Observer&& observer = {}) {
+    return {classify(b, p, observer), feature::face, 0};
+}
+template <int N, class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr wall_encounter classify_feature(const ball<N, T>& b, const wall<N, T>& w,
+                                                        Observer&& observer = {}) {
+    return detail::classify_flat(b, w, observer);
+}
+template <class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr wall_encounter classify_feature(const ball<3, T>& b, const triangle<T>& t,
+                                                        Observer&& observer = {}) {
+    return detail::classify_flat(b, t, observer);
 }
 
 } // namespace graze::inline v0_1

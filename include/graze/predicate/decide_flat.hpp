@@ -6,15 +6,6 @@
 
 namespace graze::inline v0_1::detail {
 
-template <int N, class T>
-[[nodiscard]] constexpr bool is_triangle(const wall<N, T>&) noexcept {
-    return false;
-}
-template <class T>
-[[nodiscard]] constexpr bool is_triangle(const triangle<T>&) noexcept {
-    return true;
-}
-
 // Inputs are checked here, where doubles are not certain: those that are out of their range are not finite, or zero, or
 // merely odd.
 template <int N, class T, class Shape>
@@ -22,8 +13,8 @@ template <int N, class T, class Shape>
                                                                       flat_question question, stage& by) {
     check(b, "ball");
     check(shape, name_of(shape));
-    const auto row = packed<ball_and_wall<N>>(b, wall<N, T>{shape.corner, shape.edge});
-    const flat_answer found = refine_flat<N, T>(row, is_triangle(shape), is_zero(b.velocity), question, by);
+    const auto row = packed<ball_and_wall<N>>(b, shape);
+    const flat_answer found = refine_flat<N, T>(row, is_triangle<Shape>, is_zero(b.velocity), question, by);
     if (!found.certain) {
         reject(name_of(shape), "edges are parallel");
     }
@@ -39,7 +30,7 @@ struct filtered_flat {
 
     template <class Shape>
     [[gnu::always_inline]] constexpr filtered_flat(const ball<N, T>& b, const Shape& shape) noexcept
-        : motion(rounded_flat_motion(b, shape.corner, shape.edge, is_triangle(shape))), judge{magnitudes_of(motion)},
+        : motion(rounded_flat_motion(b, shape.corner, shape.edge, is_triangle<Shape>)), judge{magnitudes_of(motion)},
           in_range(usable<T>(judge.scales) && plain_radii(b.radius, b.radius)) {}
 };
 
@@ -47,7 +38,7 @@ struct filtered_flat {
 template <flat_question Question, int N, class T, class Shape>
 [[nodiscard]] constexpr flat_answer decide_flat(const ball<N, T>& b, const Shape& shape, stage& by) {
     by = stage::filter;
-    if (!std::is_constant_evaluated() || is_moderate(b, wall<N, T>{shape.corner, shape.edge})) {
+    if (!std::is_constant_evaluated() || is_moderate(b, shape)) {
         filtered_flat<N, T> f(b, shape);
         if constexpr (Question == flat_question::clearance) {
             forget_rest_in(f.judge.scales);

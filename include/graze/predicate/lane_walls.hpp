@@ -111,12 +111,12 @@ template <int N, class T, class V>
 template <int N, class V, class Shape>
 [[nodiscard, gnu::always_inline]] inline flat_motion<N, V> lane_motion_of(const ball<N, V>& b,
                                                                           const Shape& shape) noexcept {
-    return {b.position - shape.corner, b.velocity, shape.edge, b.radius, is_triangle(shape)};
+    return {b.position - shape.corner, b.velocity, shape.edge, b.radius, is_triangle<Shape>};
 }
 
 template <class Shape>
 concept flat_shape = requires(const Shape& s) {
-    is_triangle(s);
+    s.edge;
 };
 
 template <int N, int Lanes, flat_shape Shape>

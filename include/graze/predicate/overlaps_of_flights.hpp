@@ -1,4 +1,4 @@
-// Whether a flight and a plane or a wall are inside each other when it starts, whatever it does next.
+// Whether a flight and what stands are inside each other when it starts, whatever it does next.
 #pragma once
 
 #include <graze/predicate/classify_flights.hpp>
@@ -6,8 +6,9 @@
 
 namespace graze::inline v0_1 {
 
-// Whether a flight and a plane, or a wall, are inside each other at its `since`, exactly. Throws as classify does.
-template <int N, std::floating_point T, class Shape, class Observer = ignore_stage>
+// Whether a flight and a plane, a wall or a triangle are inside each other at its `since`, exactly. Throws as classify
+// does.
+template <int N, std::floating_point T, detail::standing_in<N, T> Shape, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr bool overlaps(const flight<N, T>& f, const Shape& shape, Observer&& observer = {}) {
     detail::check(f, "flight");

@@ -16,9 +16,11 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr bool overlaps(const ball<N
 }
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr bool overlaps(const ball<N, T>& b, const wall<N, T>& w) {
-    const auto m = relative_motion_of(b, w);
-    const detail::exact_signs<std::remove_cvref_t<decltype(m)>> signs(m);
-    return wall_decision<N, decltype(signs)>(signs).overlaps();
+    return detail::with_decision(b, w, [](const auto&, const auto& decision) { return decision.clearance() < 0; });
+}
+template <exact_number T>
+requires(!is_binary_input<T>) [[nodiscard]] constexpr bool overlaps(const ball<3, T>& b, const triangle<T>& t) {
+    return detail::with_decision(b, t, [](const auto&, const auto& decision) { return decision.clearance() < 0; });
 }
 
 } // namespace graze::inline v0_1

@@ -72,12 +72,20 @@ requires is_binary_input<T>
     return found.what == encounter::overlap;
 }
 
-// Whether the ball's centre is nearer to the wall than its radius, exactly. Throws as classify does.
+// Whether the ball's centre is nearer to the wall or the triangle than its radius, exactly. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr bool overlaps(const ball<N, T>& b, const wall<N, T>& w, Observer&& observer = {}) {
     stage by{};
     const bool inside = detail::decide_flat<detail::flat_question::clearance>(b, w, by).what == encounter::overlap;
+    observer(by);
+    return inside;
+}
+template <class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr bool overlaps(const ball<3, T>& b, const triangle<T>& t, Observer&& observer = {}) {
+    stage by{};
+    const bool inside = detail::decide_flat<detail::flat_question::clearance>(b, t, by).what == encounter::overlap;
     observer(by);
     return inside;
 }

@@ -6,6 +6,7 @@
 #include <graze/shape/wall.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -42,24 +43,31 @@ template <int N, class T>
     const int point = order_of(x.point, y.point);
     return (point != 0 ? point : order_of(x.normal, y.normal)) < 0;
 }
-template <int N, class T>
-[[nodiscard]] constexpr bool precedes(const wall<N, T>& x, const wall<N, T>& y) {
+// Walls, triangles.
+template <class W>
+requires requires(const W& w) { w.edge; }
+[[nodiscard]] constexpr bool precedes(const W& x, const W& y) {
     int order = order_of(x.corner, y.corner);
-    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N) && order == 0; ++i) {
+    for (std::size_t i = 0; i < x.edge.size() && order == 0; ++i) {
         order = order_of(x.edge[i], y.edge[i]);
     }
     return order < 0;
 }
 
-// The indices of the parts in that order; those of equal parts, between which nothing tells, as they come.
+// The indices of the parts in that order; of equal parts by their marks, if there are any; those of parts between which
+// nothing tells as they come.
 template <class Part>
-[[nodiscard]] std::vector<int> canonical_order(std::span<const Part> pieces) {
+[[nodiscard]] std::vector<int> canonical_order(std::span<const Part> pieces, std::span<const std::uint8_t> marks = {}) {
     std::vector<int> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int i, int j) {
         const Part& x = pieces[static_cast<std::size_t>(i)];
         const Part& y = pieces[static_cast<std::size_t>(j)];
-        return precedes(x, y) || (!precedes(y, x) && i < j);
+        if (precedes(x, y) || precedes(y, x)) {
+            return precedes(x, y);
+        }
+        const int mark = marks.empty() ? 0 : marks[static_cast<std::size_t>(i)] - marks[static_cast<std::size_t>(j)];
+        return mark != 0 ? mark < 0 : i < j;
     });
     return order;
 }

@@ -1,7 +1,6 @@
 // Bad input in a scene, named: which part, which field, what is wrong.
 #pragma once
 
-#include <graze/formula/wall_features.hpp>
 #include <graze/pair/input_check.hpp>
 #include <graze/scene/scene.hpp>
 
@@ -56,9 +55,10 @@ template <int N, class T>
            : is_zero_vector(p.normal)    ? "normal is zero"
                                          : nullptr;
 }
-// All but whether edges are parallel, which is the sign of a formula that T may round.
-template <int N, class T>
-[[nodiscard]] constexpr const char* fault_of(const wall<N, T>& w) {
+// Of a wall or a triangle, all but whether edges are parallel, which is the sign of a formula that T may round.
+template <class W>
+requires requires(const W& w) { w.edge; }
+[[nodiscard]] constexpr const char* fault_of(const W& w) {
     if (!is_finite_vector(w.corner)) {
         return "corner is not finite";
     }
@@ -85,12 +85,23 @@ void check_parts(std::span<const Part> pieces, const char* kind) {
 } // namespace detail
 
 // Throws std::domain_error that names the first part at fault ("ball 17: radius is negative"): a NaN or an infinity
-// anywhere but in a mass, a negative radius, a mass that is not positive, a zero normal, a zero edge.
+// anywhere but in a mass, a negative radius, a mass that is not positive, a zero normal, a zero edge,
+// or marks of inner edges that no triangle has.
 template <int N, class T>
 void check(const scene<N, T>& s) {
     detail::check_parts(s.balls, "ball ");
     detail::check_parts(s.planes, "plane ");
     detail::check_parts(s.walls, "wall ");
+    detail::check_parts(detail::triangles_of(s), "triangle ");
+    const auto marks = detail::inner_edges_of(s);
+    if (!marks.empty() && marks.size() != detail::triangles_of(s).size()) {
+        detail::reject("inner_edges", "not one for each triangle");
+    }
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (marks[i] > 7) {
+            detail::reject(("inner_edges of triangle " + std::to_string(i)).c_str(), "a triangle has three edges");
+        }
+    }
 }
 
 } // namespace graze::inline v0_1

@@ -4,6 +4,7 @@
 #include <graze/contact/collide_balls.hpp>
 #include <graze/contact/collide_flights.hpp>
 #include <graze/exact/dyadic.hpp>
+#include <graze/predicate/signs_of_face.hpp>
 #include <graze/scene/mechanics.hpp>
 #include <graze/time/bounds_until.hpp>
 
@@ -34,6 +35,9 @@ struct exact_mechanics {
     [[nodiscard]] time_bounds meet_until(const state& a, const state& b, double latest) const {
         const detail::enclosure found = detail::bounds_until(a, b, latest);
         return {found.lower(), found.upper()};
+    }
+    [[nodiscard]] constexpr wall_encounter feature(const state& a, const triangle<T>& t) const requires(N == 3) {
+        return classify_feature(a, t);
     }
 
     [[nodiscard]] constexpr int order(const time& s, const time& t) const { return s.compare(t); }
@@ -82,40 +86,29 @@ struct exact_mechanics {
 
     template <class S>
     [[nodiscard]] constexpr int side(const state& a, const S& standing) const {
-        return sign_of(a, standing, plane_height{});
+        return detail::side_of(a.state, standing);
     }
     template <class S>
     [[nodiscard]] constexpr int heading(const state& a, const S& standing) const {
-        return sign_of(a, standing, plane_speed{});
+        return detail::heading_of(a.state, standing);
     }
     template <class S>
     [[nodiscard]] constexpr time reach(const state& a, const S& standing) const {
-        using pair = typename decltype(detail::pair_of(a.state, standing))::kind;
-        const bool is_plane = std::is_same_v<S, plane<N, T>>;
-        return detail::enclosed_exactly(detail::event<N, T>(
-            pair{}, a, standing, is_plane ? detail::event_kind::plane : detail::event_kind::face, 0, false));
+        using pair = detail::pair_with<S>;
+        return detail::enclosed_exactly(
+            detail::event<N, T>(pair{}, a, standing, detail::kind_of<N>(pair{}, graze::feature::face), 0, false));
     }
     // As of a ball that cuts the face and goes deeper.
     template <class S>
     constexpr void turn_back(state& a, const S& standing) const {
-        using pair = typename decltype(detail::pair_of(a.state, standing))::kind;
-        constexpr wall_encounter inside{encounter::overlap, feature::face, 0};
+        using pair = detail::pair_with<S>;
+        constexpr wall_encounter inside{encounter::overlap, graze::feature::face, 0};
         const auto c = detail::contact_of(pair{}, inside, stage::exact, a.state, standing, ignore_stage{},
                                           detail::clock_of_flight<T>{a.since});
         leave(a, a.since, a.state.position, c->velocity);
     }
 
   private:
-    template <class S, class F>
-    [[nodiscard]] static constexpr int sign_of(const state& a, const S& standing, F f) {
-        return detail::with_certain_signs(a.state, standing, ignore_stage{}, [&](auto& signs) {
-            if constexpr (requires { standing.edge; }) {
-                return signs(wall_view{}, f);
-            } else {
-                return signs(f);
-            }
-        });
-    }
     constexpr void leave(state& a, const T& since, const vec<N, T>& position, const vec<N, T>& velocity) const {
         if (immovable(a)) {
             return;

@@ -3,6 +3,7 @@
 
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/check_scene.hpp>
+#include <graze/scene/inner_edges.hpp>
 #include <graze/scene/meeting.hpp>
 #include <graze/time/time_of_shapes.hpp>
 #include <graze/time/time_of_walls.hpp>
@@ -53,9 +54,9 @@ class earliest_meetings {
 
 } // namespace detail
 
-// Looks at every pair, balls with balls, planes and walls, by time_of_impact: exact for every finite input. Two balls
-// that overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17: radius is
-// negative") as check does, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
+// Looks at every pair, balls with balls, planes, walls and triangles, by time_of_impact: exact for every finite input.
+// Two balls that overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17:
+// radius is negative") as check does, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
 template <int N, std::floating_point T>
 requires is_binary_input<T>
 [[nodiscard]] first_meetings<N, T> first_events(const scene<N, T>& s, simultaneous wanted = simultaneous::all) {
@@ -65,6 +66,8 @@ requires is_binary_input<T>
     const std::vector<int> balls = detail::canonical_order(s.balls);
     const std::vector<int> planes = detail::canonical_order(s.planes);
     const std::vector<int> walls = detail::canonical_order(s.walls);
+    [[maybe_unused]] const auto marks = detail::inner_edges_of(s);
+    [[maybe_unused]] const std::vector<int> triangles = detail::canonical_order(detail::triangles_of(s), marks);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const ball<N, T>& a = at(s.balls, balls[i]);
         for (std::size_t j = i + 1; j < balls.size(); ++j) {
@@ -73,12 +76,22 @@ requires is_binary_input<T>
         for (const int p : planes) {
             earliest.meet(time_of_impact(a, at(s.planes, p)), {partner::plane, balls[i], p});
         }
-        for (const int w : walls) {
-            const meeting who{partner::wall, balls[i], w};
+        const auto meet = [&](const auto& piece, partner kind, int index, unsigned inner) {
+            const meeting who{kind, balls[i], index};
             try {
-                earliest.meet(time_of_impact(a, at(s.walls, w)), who);
+                if (inner == 0 || !detail::is_inner(classify_feature(a, piece), inner)) {
+                    earliest.meet(time_of_impact(a, piece), who);
+                }
             } catch (const std::domain_error& e) { // parallel edges
                 throw std::domain_error(to_string(who) + ": " + e.what());
+            }
+        };
+        for (const int w : walls) {
+            meet(at(s.walls, w), partner::wall, w, 0);
+        }
+        if constexpr (N == 3) {
+            for (const int t : triangles) {
+                meet(at(s.triangles, t), partner::triangle, t, marks.empty() ? 0U : unsigned{at(marks, t)});
             }
         }
     }

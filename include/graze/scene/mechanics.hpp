@@ -2,10 +2,12 @@
 // every decision that can change the sequence of events is the mechanics'.
 #pragma once
 
+#include <graze/formula/wall_encounter.hpp>
 #include <graze/number/traits.hpp>
 #include <graze/scene/meeting.hpp>
 #include <graze/shape/flight.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <concepts>
@@ -47,13 +49,13 @@ class undecided : public std::runtime_error {
     std::optional<meeting> second_;
 };
 
-// The questions about a ball and something that stands, a plane or a wall (S).
+// The questions about a ball and something that stands, a plane, a wall or a triangle (S).
 //   meet      as for two balls
 //   bounce    as for two balls
-//   side      the sign of (x - p)·n at the time since, n being the normal of the plane or the wall's face
+//   side      the sign of (x - p)·n at the time since, n being the normal of the plane or the face
 //   heading   the sign of u·n
-//   reach     when a point that comes nearer to the plane, or to that of the wall's face, is in it
-//   turn_back the velocity reflected in the plane or the wall's face; position and since stay
+//   reach     when a point that comes nearer to the plane, or to that of the face, is in it
+//   turn_back the velocity reflected in the plane or the face; position and since stay
 // The last four are asked for points alone, which may be where several things stand, and which the rounding of a
 // position may carry across one.
 template <class M, class S>
@@ -109,5 +111,13 @@ concept mechanics = requires(const M& m, const ball<M::dimension, typename M::nu
 }
 &&mechanics_of_standing<M, plane<M::dimension, typename M::number>>&&
     mechanics_of_standing<M, wall<M::dimension, typename M::number>>;
+
+// Those that know triangles too: feature is which one of it is met, of a ball that meets it.
+template <class M>
+concept mechanics_of_triangles = M::dimension == 3 &&
+                                 mechanics_of_standing<M, triangle<typename M::number>>&& requires(
+                                     const M& m, const typename M::state& a, const triangle<typename M::number>& s) {
+    { m.feature(a, s) } -> std::same_as<wall_encounter>;
+};
 
 } // namespace graze::inline v0_1

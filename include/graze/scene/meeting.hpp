@@ -8,13 +8,13 @@
 namespace graze::inline v0_1 {
 
 // What a ball meets.
-enum class partner : std::uint8_t { ball, plane, wall };
+enum class partner : std::uint8_t { ball, plane, wall, triangle };
 
 [[nodiscard]] constexpr const char* to_string(partner p) noexcept {
-    return p == partner::ball ? "ball" : p == partner::plane ? "plane" : "wall";
+    return p == partner::ball ? "ball" : p == partner::plane ? "plane" : p == partner::wall ? "wall" : "triangle";
 }
 
-// A ball, plane or wall: an index into one of the spans of the scene.
+// A ball, plane, wall or triangle: an index into one of the spans of the scene.
 struct participant {
     partner kind = partner::ball;
     int index = 0;
@@ -22,7 +22,7 @@ struct participant {
     [[nodiscard]] friend constexpr auto operator<=>(const participant&, const participant&) = default;
 };
 
-// Ball `a` and ball, plane or wall `b`: indices into the spans of the scene.
+// Ball `a` and ball, plane, wall or triangle `b`: indices into the spans of the scene.
 struct meeting {
     partner with = partner::ball;
     int a = 0;

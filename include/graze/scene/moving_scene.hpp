@@ -13,8 +13,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Balls, planes and walls in their canonical order, by which everything here is numbered, so that nothing depends on
-// the order in which the scene lists them.
+// Balls, planes, walls and triangles in their canonical order, by which everything here is numbered, so that nothing
+// depends on the order in which the scene lists them.
 template <mechanics M>
 class moving_scene {
   public:
@@ -82,7 +82,7 @@ class moving_scene {
             if (is_watched(a)) {
                 return points_[a].meet(mechanics_, standing_, movers_[a].state, b);
             }
-            return standing_.with(b, [&](const auto& s) { return mechanics_.meet(movers_[a].state, s); });
+            return standing_.meet(mechanics_, movers_[a].state, b);
         } catch (graze::undecided& e) {
             e.between(named(a, b));
             throw;

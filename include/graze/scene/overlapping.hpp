@@ -45,9 +45,9 @@ void for_each_close_pair(std::span<const ball<N, T>> balls, F f) {
 
 } // namespace detail
 
-// The pairs that overlap, exactly: balls with balls, planes and walls, in this order and by their indices. A run
-// resolves those that approach and leaves the others alone; a scene in which they are a mistake is one that this shows.
-// Of floats, doubles or an exact type. Throws std::domain_error as check does, and for parallel edges.
+// The pairs that overlap, exactly: balls with balls, planes, walls and triangles, in this order and by their indices. A
+// run resolves those that approach and leaves the others alone; a scene in which they are a mistake is one that this
+// shows. Of floats, doubles or an exact type. Throws std::domain_error as check does, and for parallel edges.
 template <int N, class T>
 requires is_binary_input<T> || exact_number<T>
 [[nodiscard]] std::vector<meeting> overlapping(const scene<N, T>& s) {
@@ -75,6 +75,9 @@ requires is_binary_input<T> || exact_number<T>
     };
     add(partner::plane, s.planes);
     add(partner::wall, s.walls);
+    if constexpr (N == 3) {
+        add(partner::triangle, s.triangles);
+    }
     return found;
 }
 

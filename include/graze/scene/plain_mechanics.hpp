@@ -2,8 +2,8 @@
 #pragma once
 
 #include <graze/formula/solve_balls.hpp>
+#include <graze/formula/solve_flat.hpp>
 #include <graze/formula/solve_plane.hpp>
-#include <graze/formula/solve_wall.hpp>
 #include <graze/scene/mechanics.hpp>
 
 #include <limits>
@@ -48,27 +48,34 @@ struct plain_mechanics {
         const T reach = m.r * graze::square_root(T(graze::squared_norm(m.n)));
         return T(a.since + T(plane_touch_time{}(height, speed, reach)));
     }
-    [[nodiscard]] constexpr std::optional<T> meet(const state& a, const wall<N, T>& w) const {
-        const auto m = relative_motion_of(a.state, w);
-        const detail::direct_signs<V, T, std::remove_cvref_t<decltype(m)>> signs(m);
-        const wall_encounter found = wall_decision<N, decltype(signs)>(signs)();
+    // A wall or a triangle.
+    template <class W>
+    [[nodiscard]] constexpr std::optional<T> meet(const state& a, const W& w) const {
+        const auto m = detail::flat_motion_of(a.state, w);
+        const detail::direct_judge<V, N, T> judge(m);
+        const flat_answer found = detail::decide_directly(m, judge);
         if (!is_collision(found.what)) {
             return std::nullopt;
         }
         if (found.what == encounter::overlap) {
             return a.since;
         }
-        if (found.where == feature::face) {
-            return meet(a, plane<N, T>{w.corner, m.n});
+        if (found.where == graze::feature::face) {
+            return meet(a, plane_of(w));
         }
         if constexpr (N == 3) {
-            if (found.where == feature::edge) {
-                const auto view = seen_from(m, edge_view(found.index));
-                return root_from(a.since, edge_quadratic(view), signs.discriminant_of_edge(view), found.what);
+            if (found.where == graze::feature::edge) {
+                const auto edge = judge.edge(found.index);
+                return root_from(a.since, edge.q, edge.discriminant, found.what);
             }
         }
-        const auto view = seen_from(m, wall_view{found.index, false});
-        return root_from(a.since, quadratic_of(corner_motion(view)), signs.discriminant_of_corner(view), found.what);
+        const auto corner = judge.corner(found.index);
+        return root_from(a.since, corner.q, corner.discriminant, found.what);
+    }
+    [[nodiscard]] constexpr wall_encounter feature(const state& a, const triangle<T>& t) const requires(N == 3) {
+        const auto m = detail::flat_motion_of(a.state, t);
+        const flat_answer found = detail::decide_directly(m, detail::direct_judge<V, N, T>(m));
+        return {found.what, found.where, found.index};
     }
 
     [[nodiscard]] constexpr int order(const T& s, const T& t) const { return s < t ? -1 : t < s ? 1 : 0; }
@@ -106,26 +113,33 @@ struct plain_mechanics {
         leave(a, s.position_a, s.velocity_a, when);
         leave(b, s.position_b, s.velocity_b, when);
     }
-    constexpr void bounce(state& a, const plane<N, T>& p, const T& when) const { bounce_off(a, p, when); }
-    constexpr void bounce(state& a, const wall<N, T>& w, const T& when) const { bounce_off(a, w, when); }
+    template <class S>
+    constexpr void bounce(state& a, const S& standing, const T& when) const {
+        const auto s = solve<V, F>(a.state, standing);
+        if (is_collision(s.what)) {
+            leave(a, s.position, s.velocity, when);
+        } else {
+            pass(a, when);
+        }
+    }
 
-    [[nodiscard]] constexpr int side(const state& a, const plane<N, T>& p) const {
-        return graze::sign(T(plane_height{}(relative_motion_of(a.state, p))));
+    template <class S>
+    [[nodiscard]] constexpr int side(const state& a, const S& standing) const {
+        return graze::sign(T(plane_height{}(relative_motion_of(a.state, plane_of(standing)))));
     }
-    [[nodiscard]] constexpr int side(const state& a, const wall<N, T>& w) const { return side(a, plane_of(w)); }
-    [[nodiscard]] constexpr int heading(const state& a, const plane<N, T>& p) const {
-        return graze::sign(T(plane_speed{}(relative_motion_of(a.state, p))));
+    template <class S>
+    [[nodiscard]] constexpr int heading(const state& a, const S& standing) const {
+        return graze::sign(T(plane_speed{}(relative_motion_of(a.state, plane_of(standing)))));
     }
-    [[nodiscard]] constexpr int heading(const state& a, const wall<N, T>& w) const { return heading(a, plane_of(w)); }
-    [[nodiscard]] constexpr T reach(const state& a, const plane<N, T>& p) const {
-        const auto m = relative_motion_of(a.state, p);
+    template <class S>
+    [[nodiscard]] constexpr T reach(const state& a, const S& standing) const {
+        const auto m = relative_motion_of(a.state, plane_of(standing));
         return T(a.since + T(centre_crossing_time{}(T(plane_height{}(m)), T(plane_speed{}(m)))));
     }
-    [[nodiscard]] constexpr T reach(const state& a, const wall<N, T>& w) const { return reach(a, plane_of(w)); }
-    constexpr void turn_back(state& a, const plane<N, T>& p) const {
-        a.state.velocity = reflected_unnormalised(a.state.velocity, p.normal);
+    template <class S>
+    constexpr void turn_back(state& a, const S& standing) const {
+        a.state.velocity = reflected_unnormalised(a.state.velocity, plane_of(standing).normal);
     }
-    constexpr void turn_back(state& a, const wall<N, T>& w) const { turn_back(a, plane_of(w)); }
 
     // The ball as it is at a time.
     [[nodiscard]] constexpr ball<N, T> ball_at(const state& a, const T& when) const {
@@ -153,9 +167,10 @@ struct plain_mechanics {
         }
         return what == encounter::overlap ? from : root_from(from, q, discriminant, what);
     }
-    [[nodiscard]] static constexpr plane<N, T> plane_of(const wall<N, T>& w) {
-        const auto still = make_vec<N>([](int) { return T(0); });
-        return {w.corner, wall_motion_of(still, still, w.edge, T(0)).n};
+    [[nodiscard]] static constexpr const plane<N, T>& plane_of(const plane<N, T>& p) { return p; }
+    template <class W>
+    [[nodiscard]] static constexpr plane<N, T> plane_of(const W& w) {
+        return {w.corner, face_normal(w.edge)};
     }
     constexpr void leave(state& a, const vec<N, T>& position, const vec<N, T>& velocity, const T& when) const {
         if (!immovable(a)) {
@@ -166,15 +181,6 @@ struct plain_mechanics {
     }
     // A graze of which nothing is left.
     constexpr void pass(state& a, const T& when) const { leave(a, ball_at(a, when).position, a.state.velocity, when); }
-    template <class S>
-    constexpr void bounce_off(state& a, const S& standing, const T& when) const {
-        const auto s = solve<V, F>(a.state, standing);
-        if (is_collision(s.what)) {
-            leave(a, s.position, s.velocity, when);
-        } else {
-            pass(a, when);
-        }
-    }
 };
 
 } // namespace graze::inline v0_1

@@ -1,10 +1,12 @@
-// Many balls, planes and walls.
+// Many balls, planes, walls and triangles.
 #pragma once
 
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
+#include <cstdint>
 #include <span>
 
 namespace graze::inline v0_1 {
@@ -18,4 +20,36 @@ struct scene {
     std::span<const wall<N, T>> walls{};
 };
 
+// In space there are triangles too. inner_edges: empty, or for each triangle the sum of 2^k over its edges k along
+// which another triangle goes on. At an inner edge, and at its corners, nothing is met: a ball that rolls over the seam
+// of two triangles is not tripped by it, though its height was rounded.
+template <class T>
+struct scene<3, T> {
+    std::span<const ball<3, T>> balls{};
+    std::span<const plane<3, T>> planes{};
+    std::span<const wall<3, T>> walls{};
+    std::span<const triangle<T>> triangles{};
+    std::span<const std::uint8_t> inner_edges{};
+};
+
+namespace detail {
+
+template <int N, class T>
+[[nodiscard]] constexpr std::span<const triangle<T>> triangles_of(const scene<N, T>& s) noexcept {
+    if constexpr (N == 3) {
+        return s.triangles;
+    } else {
+        return {};
+    }
+}
+template <int N, class T>
+[[nodiscard]] constexpr std::span<const std::uint8_t> inner_edges_of(const scene<N, T>& s) noexcept {
+    if constexpr (N == 3) {
+        return s.inner_edges;
+    } else {
+        return {};
+    }
+}
+
+} // namespace detail
 } // namespace graze::inline v0_1

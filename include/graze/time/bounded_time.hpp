@@ -1,6 +1,7 @@
 // When a ball touches a plane or a feature of a wall, by the formulas in numbers that bound their own error.
 #pragma once
 
+#include <graze/formula/discriminant.hpp>
 #include <graze/formula/roots.hpp>
 #include <graze/machine/fence.hpp>
 #include <graze/number/bounded_word.hpp>
@@ -33,26 +34,10 @@ template <int N, class T>
     return P::template motion<bounded_word>(bounded_row<P, T>(row));
 }
 
-// A ball seen from a wall, without what only the borders of faces are tested with.
-template <int N>
-struct bounded_wall_motion {
-    vec<N, bounded_word> w, u;
-    std::array<vec<N, bounded_word>, N - 1> e;
-    bounded_word r;
-};
 template <int N, class T>
-[[nodiscard]] bounded_wall_motion<N> bounded_motion(ball_and_wall<N>, const T* row) noexcept {
+[[nodiscard]] auto bounded_motion(ball_and_wall<N>, const T* row) noexcept {
     using P = ball_and_wall<N>;
-    const auto s = P::template shapes_of<bounded_word>(bounded_row<P, T>(row));
-    return {s.ball.position - s.wall.corner, s.ball.velocity, s.wall.edge, s.ball.radius};
-}
-template <int N>
-[[nodiscard]] bounded_wall_motion<N> seen_from(const bounded_wall_motion<N>& m, wall_view view) noexcept {
-    return {centre_seen_from(m.w, m.e, view), m.u, edges_seen_from(m.e, view), m.r};
-}
-template <int N>
-[[nodiscard]] auto face_of(const bounded_wall_motion<N>& m) noexcept {
-    return plane_motion{m.w, m.u, face_normal(m.e), m.r};
+    return P::template motion<bounded_word>(bounded_row<P, T>(row));
 }
 
 // Of a hit on a plane or a face: (33) completed.

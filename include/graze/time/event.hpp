@@ -14,13 +14,28 @@ namespace graze::inline v0_1::detail {
 
 enum class event_kind : std::uint8_t { balls, plane, face, edge, corner };
 
+// Of a wall or a triangle.
 template <int N>
 [[nodiscard]] constexpr event_kind kind_of(feature f) noexcept {
     return f == feature::face ? event_kind::face : f == feature::edge ? event_kind::edge : event_kind::corner;
 }
+template <int N>
+[[nodiscard]] constexpr event_kind kind_of(ball_and_plane<N>, feature) noexcept {
+    return event_kind::plane;
+}
+template <int N>
+[[nodiscard]] constexpr event_kind kind_of(ball_and_wall<N>, feature f) noexcept {
+    return kind_of<N>(f);
+}
+// What its index is in an event.
+template <class Shape, class Found>
+[[nodiscard]] constexpr int number_in_wall(const Found& found) noexcept {
+    return feature_number(found.where, found.index, is_triangle<Shape>);
+}
 
 // The packed row of a pair, then the epochs of what moves in it; the rest of the array is not used. And which feature
-// of a wall. An event that is at its start (overlap) overlaps or touches then.
+// of a wall or a triangle: its index, of an edge the edge_number. An event that is at its start (overlap) overlaps or
+// touches then.
 template <int N, class T>
 struct event {
     template <class P>

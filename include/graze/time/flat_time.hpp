@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/filter/static_filter.hpp>
-#include <graze/formula/flat_features.hpp>
+#include <graze/formula/wall_features.hpp>
 #include <graze/machine/fence.hpp>
 #include <graze/machine/fused.hpp>
 #include <graze/time/event.hpp>
@@ -59,6 +59,13 @@ template <bool Fused, int N>
     }
 }
 
+// The direction of an edge by its number.
+template <int N>
+[[nodiscard, gnu::always_inline]] inline parts_vector<N> edge_in_parts(const flat_row<N>& f, int number) noexcept {
+    return number == slanted_edge ? difference_in_parts<N>(f.edge[1], f.edge[0])
+                                  : exact_parts<N>(number >= 2 ? f.edge[0] : f.edge[1]);
+}
+
 // The centre from corner i of the wall.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> centre_in_parts(const flat_row<N>& f, int corner) noexcept {
@@ -83,9 +90,7 @@ struct flat_time_near {
         flat_time r{};
         double size = 1; // of what has no size of its own
         const bool is_edge = e->kind == event_kind::edge;
-        const int corner = e->kind == event_kind::corner ? e->index
-                           : is_edge                     ? ends_of_border(e->index, false).start
-                                                         : 0;
+        const int corner = e->kind == event_kind::corner ? e->index : is_edge ? edge_view(e->index).corner : 0;
         const auto from = centre_in_parts(f, corner);
         if (e->kind == event_kind::corner) {
             r = touch_corner<Fused, N>(from, f.u, f.r, time);
@@ -94,7 +99,7 @@ struct flat_time_near {
             r = touch.time;
             size = touch.n.size;
         } else if constexpr (N == 3) {
-            const auto d = exact_parts<3>(e->index >= 2 ? f.edge[0] : f.edge[1]);
+            const auto d = edge_in_parts<3>(f, e->index);
             r = touch_edge<Fused>(from, f.u, d, f.r, time);
             size = d.size;
         }

@@ -61,7 +61,8 @@ template <class T, int N, class M, class From = from_now>
                                           const From& counted = {}) {
     using Z = surd_integer_for<M>;
     if (kind == event_kind::face) {
-        return round_plane_time<T>(m, radicand<Z>(face_foot_d{}(m)), unit, mode, counted);
+        const auto face = face_of(m);
+        return round_plane_time<T>(face, radicand<Z>(graze::squared_norm(face.n)), unit, mode, counted);
     }
     if constexpr (N == 3) {
         if (kind == event_kind::edge) {

@@ -1,4 +1,4 @@
-// When a flight and a plane or a wall meet first, if they do.
+// When a flight and what stands meet first, if they do.
 #pragma once
 
 #include <graze/predicate/classify_flights.hpp>
@@ -10,7 +10,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// The time of an event of a flight and a plane or a wall that happens within the bounds, if these are known, after the
+// The time of an event of a flight and what stands that happens within the bounds, if these are known, after the
 // flight's since.
 template <int N, class T>
 [[nodiscard]] constexpr impact_time<N, T> with_clock(const event<N, T>& e, const enclosure& bounds) {
@@ -22,37 +22,23 @@ template <int N, class T>
 
 } // namespace detail
 
-// The exact time at which a flight touches a plane first; empty when it recedes.
-template <int N, std::floating_point T, class Observer = ignore_stage>
+// The exact time at which a flight touches a plane, or the face, an edge or a corner of a wall or a triangle, first;
+// empty for recede and miss.
+template <int N, std::floating_point T, detail::standing_in<N, T> Shape, class Observer = ignore_stage>
 requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const flight<N, T>& f, const plane<N, T>& p,
+[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const flight<N, T>& f, const Shape& shape,
                                                                         Observer&& observer = {}) {
     detail::check(f, "flight");
     stage by{};
-    const auto [found, bounds] = detail::meet_flat(f.state, p, by);
+    const auto [found, bounds] = detail::meet_flat(f.state, shape, by);
     observer(by);
     if (!is_collision(found.what)) {
         return std::nullopt;
     }
-    return detail::with_clock(detail::event<N, T>(detail::ball_and_plane<N>{}, f, p, detail::event_kind::plane, 0,
+    using pair = detail::pair_with<Shape>;
+    return detail::with_clock(detail::event<N, T>(pair{}, f, shape, detail::kind_of<N>(pair{}, found.where),
+                                                  detail::number_in_wall<Shape>(found),
                                                   found.what == encounter::overlap),
-                              bounds);
-}
-
-// The exact time at which a flight touches a wall's face, edge or corner first; empty for recede and miss.
-template <int N, std::floating_point T, class Observer = ignore_stage>
-requires is_binary_input<T>
-[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const flight<N, T>& f, const wall<N, T>& w,
-                                                                        Observer&& observer = {}) {
-    detail::check(f, "flight");
-    stage by{};
-    const auto [found, bounds] = detail::meet_flat(f.state, w, by);
-    observer(by);
-    if (!is_collision(found.what)) {
-        return std::nullopt;
-    }
-    return detail::with_clock(detail::event<N, T>(detail::ball_and_wall<N>{}, f, w, detail::kind_of<N>(found),
-                                                  found.index, found.what == encounter::overlap),
                               bounds);
 }
 

@@ -1,4 +1,4 @@
-// When a ball meets a plane or a wall first, if it does.
+// When a ball meets a plane, a wall or a triangle first, if it does.
 #pragma once
 
 #include <graze/predicate/classify_walls.hpp>
@@ -10,11 +10,6 @@
 namespace graze::inline v0_1 {
 
 namespace detail {
-
-template <int N>
-[[nodiscard]] constexpr event_kind kind_of(const flat_answer& found) noexcept {
-    return kind_of<N>(found.where);
-}
 
 // The time of an event of which nothing is known but that it is one: by double words, or by its exact quadratic.
 template <int N, class T>
@@ -38,15 +33,29 @@ time_of_plane_slowly(const ball<N, T>& b, const plane<N, T>& p, encounter what) 
                            what);
 }
 
+// found: with the feature's number in the wall.
 template <int N, class T>
-[[nodiscard]] constexpr event<N, T> event_of(const ball<N, T>& b, const wall<N, T>& w, const flat_answer& found) {
-    return event<N, T>(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), found.index,
-                       found.what == encounter::overlap);
-}
-template <int N, class T, class Shape>
 [[nodiscard, gnu::noinline]] constexpr std::optional<impact_time<N, T>>
-time_of_flat_slowly(const ball<N, T>& b, const Shape& w, const flat_answer& found) {
-    return enclosed_slowly(event_of(b, w, found), found.what);
+time_of_flat_slowly(const ball<N, T>& b, const wall<N, T>& w, const flat_answer& found) {
+    const event<N, T> e(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), found.index,
+                        found.what == encounter::overlap);
+    return enclosed_slowly(e, found.what);
+}
+
+template <int N, class T, class Shape, class Observer>
+[[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_flat(const ball<N, T>& b, const Shape& shape,
+                                                                      Observer&& observer) {
+    stage by{};
+    const auto [found, bounds] = meet_flat(b, shape, by);
+    observer(by);
+    if (!is_collision(found.what)) {
+        return std::nullopt;
+    }
+    if (bounds.is_known()) [[likely]] {
+        return std::optional<impact_time<N, T>>(std::in_place, impact_time_key{}, bounds, ball_and_wall<N>{}, b, shape,
+                                                kind_of<N>(found.where), number_in_wall<Shape>(found), false);
+    }
+    return time_of_flat_slowly<N, T>(b, as_wall(shape), {true, found.what, found.where, number_in_wall<Shape>(found)});
 }
 
 } // namespace detail
@@ -69,24 +78,19 @@ requires is_binary_input<T>
     return detail::time_of_plane_slowly(b, p, found.what);
 }
 
-// The exact time at which a ball touches a wall's face, edge or corner first; empty for recede and miss. Throws as
-// classify does.
+// The exact time at which a ball touches a wall's or a triangle's face, edge or corner first; empty for recede and
+// miss. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<impact_time<N, T>> time_of_impact(const ball<N, T>& b, const wall<N, T>& w,
                                                                         Observer&& observer = {}) {
-    stage by{};
-    const auto [found, bounds] = detail::meet_flat(b, w, by);
-    observer(by);
-    if (!is_collision(found.what)) {
-        return std::nullopt;
-    }
-    if (bounds.is_known()) [[likely]] {
-        return std::optional<impact_time<N, T>>(std::in_place, detail::impact_time_key{}, bounds,
-                                                detail::ball_and_wall<N>{}, b, w, detail::kind_of<N>(found),
-                                                found.index, false);
-    }
-    return detail::time_of_flat_slowly(b, w, found);
+    return detail::time_of_flat(b, w, observer);
+}
+template <class T, class Observer = ignore_stage>
+requires is_binary_input<T>
+[[nodiscard]] constexpr std::optional<impact_time<3, T>> time_of_impact(const ball<3, T>& b, const triangle<T>& t,
+                                                                        Observer&& observer = {}) {
+    return detail::time_of_flat(b, t, observer);
 }
 
 } // namespace graze::inline v0_1

@@ -1,0 +1,71 @@
+// On which side of a plane, or of the plane of a wall's or triangle's face, a ball's centre is, and where it heads.
+#pragma once
+
+#include <graze/pair/plane_signs.hpp>
+#include <graze/predicate/decide_flat.hpp>
+
+namespace graze::inline v0_1::detail {
+
+// The sign of F, plane_height or plane_speed, exactly.
+template <class F, int N, class T, class Shape>
+[[nodiscard, gnu::noinline]] constexpr int exact_sign_of_face(const ball<N, T>& b, const Shape& s) {
+    using P = pair_with<Shape>;
+    check(b, "ball");
+    check(s, name_of(s));
+    exact_workspace room;
+    auto in = lift_row<P>(packed<P>(b, s));
+    in.use(room);
+    const auto m = P::template motion<big_integer>(in);
+    if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
+        return graze::sign(F{}(m));
+    } else {
+        return graze::sign(F{}(face_of(m)));
+    }
+}
+
+// With n the plane's normal or, in space, e₀ × e₁, in the plane e₀ turned to the left: the sign of w·n.
+template <int N, class T>
+[[nodiscard]] constexpr int side_of(const ball<N, T>& b, const plane<N, T>& p) {
+    if (!std::is_constant_evaluated()) {
+        const filtered_plane<N, T> f(b, p);
+        if (const int s = certain_sign(f.height, f.height_error * f.size); f.in_range != 0 && s != open) {
+            return s;
+        }
+    }
+    return exact_sign_of_face<plane_height>(b, p);
+}
+template <int N, class T, class Shape>
+[[nodiscard]] constexpr int side_of(const ball<N, T>& b, const Shape& shape) {
+    if (!std::is_constant_evaluated()) {
+        const filtered_flat<N, T> f(b, shape);
+        if (const int s = f.judge(way_height{}, way_of(f.motion)); f.in_range && s != open_sign) {
+            return s;
+        }
+    }
+    return exact_sign_of_face<plane_height>(b, shape);
+}
+
+// The sign of u·n.
+template <int N, class T>
+[[nodiscard]] constexpr int heading_of(const ball<N, T>& b, const plane<N, T>& p) {
+    if (!std::is_constant_evaluated()) {
+        const filtered_plane<N, T> f(b, p);
+        const double size = f.scales.velocity * f.scales.normal;
+        if (const int s = certain_sign(f.speed, f.speed_error * size); f.in_range != 0 && s != open) {
+            return s;
+        }
+    }
+    return exact_sign_of_face<plane_speed>(b, p);
+}
+template <int N, class T, class Shape>
+[[nodiscard]] constexpr int heading_of(const ball<N, T>& b, const Shape& shape) {
+    if (!std::is_constant_evaluated()) {
+        const filtered_flat<N, T> f(b, shape);
+        if (const int s = f.judge(way_speed{}, way_of(f.motion)); f.in_range && s != open_sign) {
+            return s;
+        }
+    }
+    return exact_sign_of_face<plane_speed>(b, shape);
+}
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,183 @@
+// The planes, walls and triangles of a run.
+#pragma once
+
+#include <graze/formula/wall_features.hpp>
+#include <graze/pair/pair.hpp>
+#include <graze/scene/body.hpp>
+#include <graze/scene/canonical_order.hpp>
+#include <graze/scene/inner_edges.hpp>
+#include <graze/scene/mechanics.hpp>
+#include <graze/scene/meeting.hpp>
+#include <graze/scene/scene.hpp>
+#include <graze/scene/standing_cells.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// Parts of a scene in their canonical order.
+template <class Part>
+[[nodiscard]] std::vector<Part> sorted(std::span<const Part> pieces, const std::vector<int>& order) {
+    std::vector<Part> result;
+    result.reserve(order.size());
+    for (const int i : order) {
+        result.push_back(pieces[static_cast<std::size_t>(i)]);
+    }
+    return result;
+}
+
+// Planes, then walls, then triangles, each in canonical order, numbered as bodies from `first` on.
+template <mechanics M>
+class standing_shapes {
+  public:
+    static constexpr int dimension = M::dimension;
+    using number = typename M::number;
+    using exact = typename M::exact;
+    using state = typename M::state;
+
+    // Throws std::domain_error for triangles of which M knows nothing.
+    standing_shapes(const scene<dimension, number>& s, body first)
+        : plane_names_(canonical_order(s.planes)), wall_names_(canonical_order(s.walls)),
+          triangle_names_(canonical_order(triangles_of(s), inner_edges_of(s))), planes_(sorted(s.planes, plane_names_)),
+          walls_(sorted(s.walls, wall_names_)), triangles_(sorted(triangles_of(s), triangle_names_)), first_(first) {
+        if (!mechanics_of_triangles<M> && !triangles_.empty()) {
+            throw std::domain_error("triangle 0: these mechanics know no triangles");
+        }
+        if (const auto marks = inner_edges_of(s); !marks.empty()) {
+            inner_edges_ = sorted(marks, triangle_names_);
+        }
+    }
+
+    [[nodiscard]] body begin() const noexcept { return first_; }
+    [[nodiscard]] body end() const noexcept {
+        return first_ + static_cast<body>(planes_.size() + walls_.size() + triangles_.size());
+    }
+
+    // f(plane), f(wall) or f(triangle).
+    template <class F>
+    decltype(auto) with(body b, F f) const {
+        const std::size_t i = b - first_;
+        if constexpr (mechanics_of_triangles<M>) {
+            if (i >= planes_.size() + walls_.size()) {
+                return f(triangles_[i - planes_.size() - walls_.size()]);
+            }
+        }
+        return i < planes_.size() ? f(planes_[i]) : f(walls_[i - planes_.size()]);
+    }
+    // A ball of that name and b, by the scene's own indices.
+    [[nodiscard]] meeting named(int ball, body b) const noexcept {
+        std::size_t i = b - first_;
+        if (i < planes_.size()) {
+            return {partner::plane, ball, plane_names_[i]};
+        }
+        i -= planes_.size();
+        return i < walls_.size() ? meeting{partner::wall, ball, wall_names_[i]}
+                                 : meeting{partner::triangle, ball, triangle_names_[i - walls_.size()]};
+    }
+    // When x meets b; not at an inner edge.
+    [[nodiscard]] std::optional<typename M::time> meet(const M& m, const state& x, body b) const {
+        return with(b, [&](const auto& s) {
+            auto when = m.meet(x, s);
+            if constexpr (is_triangle<std::remove_cvref_t<decltype(s)>>) {
+                if (when && !inner_edges_.empty()) {
+                    const unsigned inner = inner_edges_[b - first_ - planes_.size() - walls_.size()];
+                    if (inner != 0 && is_inner(m.feature(x, s), inner)) {
+                        when.reset();
+                    }
+                }
+            }
+            return when;
+        });
+    }
+
+    // Where each of them is.
+    [[nodiscard]] std::vector<standing_extent<dimension>> extents(const M& m) const {
+        std::vector<standing_extent<dimension>> result;
+        for (body b = begin(); b < end(); ++b) {
+            result.push_back(with(b, [&](const auto& s) { return extent_of(m, s); }));
+        }
+        return result;
+    }
+
+    // A velocity without rounding.
+    [[nodiscard]] static vec<dimension, exact> exactly(const M& m, const vec<dimension, number>& x) {
+        return make_vec<dimension>([&](int i) { return m.as_exact(x[i]); });
+    }
+
+  protected:
+    [[nodiscard]] vec<dimension, exact> normal_of(const M& m, body b) const {
+        return with(b, [&](const auto& s) {
+            if constexpr (requires { s.edge; }) {
+                return face_normal(edges_of(m, s));
+            } else {
+                return exactly(m, s.normal);
+            }
+        });
+    }
+    [[nodiscard]] vec<dimension, exact> point_of(const M& m, body b) const {
+        return with(b, [&](const auto& s) {
+            if constexpr (requires { s.edge; }) {
+                return exactly(m, s.corner);
+            } else {
+                return exactly(m, s.point);
+            }
+        });
+    }
+    template <class W>
+    [[nodiscard]] static auto edges_of(const M& m, const W& w) {
+        std::array<vec<dimension, exact>, dimension - 1> edges;
+        std::transform(w.edge.begin(), w.edge.end(), edges.begin(), [&](const auto& e) { return exactly(m, e); });
+        return edges;
+    }
+
+  private:
+    using extent = standing_extent<dimension>;
+
+    [[nodiscard]] static vec<dimension, double> in_doubles(const M& m, const vec<dimension, number>& x) {
+        return m.about(m.start({x, x, number(0), number(1)})).state.position;
+    }
+    [[nodiscard]] static extent endless(const vec<dimension, double>& point, const vec<dimension, double>& n) {
+        using limits = std::numeric_limits<double>;
+        return {make_vec<dimension>([](int) { return limits::lowest(); }),
+                make_vec<dimension>([](int) { return limits::max(); }), point, n};
+    }
+    [[nodiscard]] static extent extent_of(const M& m, const plane<dimension, number>& p) {
+        return endless(in_doubles(m, p.point), in_doubles(m, p.normal));
+    }
+    template <class W>
+    [[nodiscard]] static extent extent_of(const M& m, const W& w) {
+        const auto corner = in_doubles(m, w.corner);
+        std::array<vec<dimension, double>, dimension - 1> edge;
+        std::transform(w.edge.begin(), w.edge.end(), edge.begin(), [&](const auto& e) { return in_doubles(m, e); });
+        extent x{corner, corner, corner, face_normal(edge)};
+        double largest = 1;
+        for (const auto& e : edge) {
+            largest *= graze::squared_norm(e);
+        }
+        if (!(graze::squared_norm(x.n) > 0x1p-60 * largest)) { // parallel edges, or doubles can't tell
+            return endless(corner, {});
+        }
+        for (const auto& e : edge) {
+            for (int i = 0; i < dimension; ++i) {
+                x.low.component[i] += std::min(e[i], 0.0);
+                x.high.component[i] += std::max(e[i], 0.0);
+            }
+        }
+        return x;
+    }
+
+    std::vector<int> plane_names_, wall_names_, triangle_names_;
+    std::vector<plane<dimension, number>> planes_;
+    std::vector<wall<dimension, number>> walls_;
+    std::vector<triangle<number>> triangles_;
+    std::vector<std::uint8_t> inner_edges_; // of the triangles, if any are
+    body first_;
+};
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,154 @@
+// Triangles: encounters, features, times and contacts against the oracle, and the laws, on every hard family of walls
+// and on small whole numbers.
+#include "../contact/judge.hpp"
+#include "../oracle/flight.hpp"
+#include "../soak/more_families.hpp"
+#include "answers_of_type.hpp"
+#include "faults.hpp"
+#include "laws.hpp"
+
+#include <graze/collide.hpp>
+#include <graze/predicate/classify_flights.hpp>
+#include <graze/predicate/either_order.hpp>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+
+namespace {
+
+using graze::encounter;
+using graze::feature;
+using ball = graze::ball<3, double>;
+using wall = graze::wall<3, double>;
+using triangle = graze::triangle<double>;
+
+struct pair {
+    ball a;
+    triangle b;
+};
+
+// Half of the wall of the next pair of a family that is of one.
+template <std::size_t Count>
+pair any_of(const std::array<families::family, Count>& drawn) {
+    const auto which = *rc::gen::resize(100, rc::gen::inRange<std::size_t>(0, Count));
+    const auto index = *rc::gen::arbitrary<std::uint64_t>() % (1U << 20U);
+    const bool turned = *rc::gen::arbitrary<bool>();
+    for (std::size_t k = which;; ++k) {
+        const auto p = drawn[k % Count].template draw<3>(1, index + k / Count);
+        if (p.kind != families::pair_kind::ball_wall) {
+            continue;
+        }
+        triangle t{p.wall.corner, p.wall.edge};
+        graze::vec<3, double> back = t.edge[0];
+        if (turned && laws::add_exactly(back, -t.edge[1]) && laws::add_exactly(t.corner, t.edge[1])) {
+            t.edge = {-p.wall.edge[1], back}; // what was edge 0 is slanted now
+        }
+        return {p.a, t};
+    }
+}
+pair small_pair() {
+    const auto vector = [](int most) {
+        return graze::make_vec<3>([&](int) { return static_cast<double>(*rc::gen::inRange(-most, most + 1)); });
+    };
+    pair p{{vector(5), vector(2), static_cast<double>(*rc::gen::inRange(0, 4))}, {vector(2), {vector(4), vector(4)}}};
+    RC_PRE(faults::of(p.a, p.b).empty());
+    return p;
+}
+
+// Encounter, feature, time and contact.
+void check(const pair& p) {
+    const auto& [b, t] = p;
+    RC_ASSERT(answers::is_right(answers::of(b, t), b, t));
+    const oracle::answer truth = oracle::meet(b, t);
+    const graze::wall_encounter met = graze::classify_feature(b, t);
+    RC_ASSERT(static_cast<int>(met.what) == static_cast<int>(truth.what));
+    if (graze::is_collision(met.what)) {
+        RC_ASSERT(static_cast<int>(met.where) == static_cast<int>(truth.where()));
+        RC_ASSERT(truth.has(static_cast<oracle::feature>(met.where), met.index));
+        RC_TAG(std::string(graze::to_string(met.where)) + std::to_string(met.index));
+    }
+    const auto contact = graze::collide(b, t);
+    const judge::verdict v = judge::of(b, t, contact, answers::time_of(b, t));
+    if (!v.wrong.empty()) {
+        RC_LOG(v.wrong);
+    }
+    RC_ASSERT(v.wrong.empty());
+    RC_ASSERT(graze::classify_feature(t, b) == met);
+    RC_ASSERT(graze::collide(t, b) == contact);
+    RC_ASSERT(graze::overlaps(t, b) == truth.overlaps);
+
+    const double since = *rc::gen::element(0.0, 1.0, -0.375, 1e9);
+    const graze::flight<3> f{b, since};
+    RC_ASSERT(graze::classify_feature(f, t) == met);
+    const auto later = graze::collide(f, t);
+    RC_ASSERT(later.has_value() == contact.has_value());
+    if (later) {
+        const auto time = oracle::meet(f, t).time;
+        RC_ASSERT(oracle::is_rounded(*time, later->time));
+        RC_ASSERT(oracle::is_rounded(*time, static_cast<double>(*graze::time_of_impact(t, f))));
+        auto same = *later;
+        same.time = contact->time;
+        RC_ASSERT(same == *contact);
+    }
+}
+
+} // namespace
+
+TEST_CASE("Triangles are met as the oracle says, and left as it says") {
+    CHECK(rc::check("of hard families", [] { check(any_of(families::all_families)); }));
+    CHECK(rc::check("of harder ones", [] { check(any_of(families::more_families)); }));
+    CHECK(rc::check("of small whole numbers", [] { check(small_pair()); }));
+}
+
+TEST_CASE("Triangles obey the laws") {
+    const auto all = [](const pair& p) {
+        laws::axes(p.a, p.b);
+        laws::presentation(p.a, p.b);
+        laws::scaling(p.a, p.b);
+        laws::collisions_have_times(p.a, p.b);
+        laws::overlap_is_now(p.a, p.b);
+    };
+    CHECK(rc::check([&] { all(any_of(families::all_families)); }));
+    CHECK(rc::check([&] { all(small_pair()); }));
+}
+
+TEST_CASE("The first of a wall's two triangles is met when the wall is") {
+    int tried = 0, exact = 0;
+    const auto holds = [&](const pair& p) {
+        ++tried;
+        exact += laws::halves_make_a_wall(p.a, wall{p.b.corner, p.b.edge}) ? 1 : 0;
+    };
+    CHECK(rc::check([&] { holds(any_of(families::all_families)); }));
+    CHECK(rc::check([&] { holds(small_pair()); }));
+    CHECK(exact > tried / 3);
+}
+
+TEST_CASE("A ball that rolls over the seam of two triangles grazes it; one that is inside meets the edge") {
+    const triangle first{{0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}}}}, second{{1, 1, 0}, {{{-1, 0, 0}, {0, -1, 0}}}};
+    const ball rolls{{0.1, 0.1, 1}, {1, 1, 0}, 1};
+    CHECK(graze::classify(rolls, first) == encounter::recede);
+    CHECK(graze::classify_feature(rolls, second) == graze::wall_encounter{encounter::graze, feature::edge, 1});
+    CHECK(graze::collide(rolls, second)->velocity == rolls.velocity);
+    const double inside = 0x1p-20; // δ: the velocity across the edge changes by 2√(2δ/r) of itself, and by δ more
+    const ball deep{{0.1, 0.1, 1 - inside}, {1, 1, 0}, 1};
+    const auto met = graze::collide(deep, second);
+    CHECK(met->feature == feature::edge);
+    CHECK(met->index == 1);
+    const double change = std::hypot(met->velocity[0] - 1, met->velocity[1] - 1, met->velocity[2]) / std::sqrt(2.0);
+    CHECK(std::fabs(change / (2 * std::sqrt(2 * inside)) - 1) < inside);
+}
+
+TEST_CASE("A bad triangle is named") {
+    const ball b{{0, 0, 5}, {0, 0, -1}, 1};
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const triangle& t :
+         {triangle{{nan, 0, 0}, {{{1, 0, 0}, {0, 1, 0}}}}, triangle{{0, 0, 0}, {{{nan, 0, 0}, {0, 1, 0}}}},
+          triangle{{0, 0, 0}, {{{0, 0, 0}, {0, 1, 0}}}}, triangle{{0, 0, 0}, {{{1, 2, 3}, {2, 4, 6}}}}}) {
+        CHECK(faults::told(faults::of(b, t), [&] { (void)graze::classify(b, t); }));
+        CHECK(faults::told(faults::of(b, t), [&] { (void)graze::overlaps(b, t); }));
+        CHECK(faults::told(faults::of(b, t), [&] { (void)graze::time_of_impact(b, t); }));
+        CHECK(faults::told(faults::of(b, t), [&] { (void)graze::collide(b, t); }));
+    }
+}
