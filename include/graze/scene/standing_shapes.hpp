@@ -84,11 +84,13 @@ class standing_shapes {
     [[nodiscard]] std::optional<typename M::time> meet(const M& m, const state& x, body b) const {
         return with(b, [&](const auto& s) {
             auto when = m.meet(x, s);
-            if constexpr (is_triangle<std::remove_cvref_t<decltype(s)>>) {
-                if (when && !inner_edges_.empty()) {
-                    const unsigned inner = inner_edges_[b - first_ - planes_.size() - walls_.size()];
-                    if (inner != 0 && is_inner(m.feature(x, s), inner)) {
-                        when.reset();
+            if constexpr (mechanics_of_triangles<M>) { // by itself: clang looks into what depends on s alone
+                if constexpr (is_triangle<std::remove_cvref_t<decltype(s)>>) {
+                    if (when && !inner_edges_.empty()) {
+                        const unsigned inner = inner_edges_[b - first_ - planes_.size() - walls_.size()];
+                        if (inner != 0 && is_inner(m.feature(x, s), inner)) {
+                            when.reset();
+                        }
                     }
                 }
             }
