@@ -138,7 +138,7 @@ class certified_mechanics {
         return std::all_of(u.component, u.component + N, [](const certified& c) { return c.certain_sign() == 0; });
     }
     static const plane& plane_of(const state&, const plane& p) { return p; }
-    static plane plane_of(const state& a, const wall& w) { return {w.corner, graze::relative_motion_of(a.state, w).n}; }
+    static plane plane_of(const state&, const wall& w) { return {w.corner, graze::face_normal(w.edge)}; }
 
     static certified_time::coefficients coefficients_of(const ball& b, const plane& p,
                                                         const graze::wall_solution<N, certified>&) {
@@ -148,7 +148,7 @@ class certified_mechanics {
                                                         const graze::wall_solution<N, certified>& s) {
         const auto m = graze::relative_motion_of(b, w);
         if (s.where == graze::feature::face) {
-            return graze::quadratic_of(graze::relative_motion_of(b, plane{w.corner, m.n}));
+            return graze::quadratic_of(graze::face_of(m));
         }
         if constexpr (N == 3) {
             if (s.where == graze::feature::edge) {
