@@ -58,9 +58,9 @@ constexpr auto against(double y, double z, double r) { return *collide(ball<3>{{
 static_assert(against(3, 3, 2) ==
               wall_contact<3>{3, point(3, 3, 3), point(5, 3, 3), point(-1, 0, 0), point(-1, 0, 0), feature::face});
 static_assert(against(7, 1, 5) == wall_contact<3>{2, point(2, 7, 1), point(5, 3, 1), point(-0.6, 0.8, 0),
-                                                  point(0.28, 0.96, 0), feature::edge});
+                                                  point(0.28, 0.96, 0), feature::edge, 1});
 static_assert(against(5, 4, 3) == wall_contact<3>{3, point(3, 5, 4), point(5, 3, 3), point(-2. / 3, 2. / 3, 1. / 3),
-                                                  point(1. / 9, 8. / 9, 4. / 9), feature::corner});
+                                                  point(1. / 9, 8. / 9, 4. / 9), feature::corner, 3});
 
 // Times of integers are rounded to doubles: 10/3; and (2^62 - 1)/3, of 61 bits.
 constexpr auto of_integers =

@@ -136,7 +136,7 @@ static_assert(solve(ball<3>{{0, 5.5, 0}, {1, 0, 0}, 2}, its_plane).what == encou
 constexpr wall<3> upright{{5, 0, 0}, {{{{0, 5, 0}}, {{0, 0, 5}}}}};
 constexpr wall<3> tilted{{5, 0, 0}, {{{{0, 3, 4}}, {{0, -4, 3}}}}};
 constexpr ball<3> point{{0, 4.5, 0.5}, {1, 0, 0}, 0};
-static_assert(relative_motion_of(point, upright).n == relative_motion_of(point, tilted).n);
+static_assert(face_normal(relative_motion_of(point, upright).e) == face_normal(relative_motion_of(point, tilted).e));
 static_assert(solve(point, upright).what == encounter::hit && solve(point, tilted).what == encounter::miss);
 
 // Edges in doubles are seldom at right angles: (2, 3, 6)/7 and (3, -6, 2)/7 are, but not when rounded. So a wall is a
