@@ -1,6 +1,7 @@
 // Batches in registers of 32 bytes: compiled with -mavx2 -mfma, and run where the processor has both. What is made here
 // is of packs of four doubles or eight floats, or takes what such registers are called by, and has a name that no other
 // unit has: else the linker might take a function from here for a machine without them.
+#define GRAZE_DETAIL_WIDE_UNIT
 #include <graze/batch.hpp>
 
 #if defined(__AVX2__) && defined(__FMA__)

@@ -14,7 +14,9 @@ namespace graze::inline v0_1::detail {
 
 #if defined(__cpp_exceptions)
 
+#if !defined(GRAZE_DETAIL_WIDE_UNIT) // which defines nothing that another unit might have
 [[gnu::used]] inline void throw_domain_error(const char* message) { throw std::domain_error(message); }
+#endif
 
 inline namespace with_exceptions {
 template <class Error>
