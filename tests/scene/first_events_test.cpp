@@ -1,12 +1,14 @@
-// The first events of a scene, against the oracle, in any order of its lists.
+// The first events of a scene, against the oracle, in any order of its lists, and against a look at every pair.
 #include "line_oracle.hpp"
 
-#include <graze/scene/first_events.hpp>
+#include <graze/scene.hpp>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <numeric>
+#include <random>
 
 namespace {
 
@@ -19,6 +21,36 @@ graze::ball<2> ball_of(const bead& b) {
             static_cast<double>(b.radius),
             static_cast<double>(b.mass)};
 }
+
+// Balls of all sizes among planes and walls, near each other or far, some of them far away; many at places
+// and with velocities that others have too, so that much happens at one time.
+struct any_scene {
+    std::vector<graze::ball<2>> balls;
+    std::vector<graze::plane<2>> planes;
+    std::vector<graze::wall<2>> walls;
+
+    any_scene() {
+        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        const auto below = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+        const int wide = *rc::gen::element(6, 20, 100), fast = *rc::gen::element(1, 4);
+        const double unit = std::ldexp(1, *rc::gen::element(0, 0, -30, 600, -600));
+        const auto any = [&](int most) {
+            return graze::make_vec<2>([&](int) { return (below(2 * most + 1) - most) * unit; });
+        };
+        const int count = *rc::gen::inRange(0, 60);
+        for (int i = 0; i < count; ++i) {
+            const double size = below(8) == 0 ? std::ldexp(unit, below(12) - 8) : unit * below(3);
+            balls.push_back({any(below(20) == 0 ? 1000 * wide : wide), any(fast), size, 1});
+        }
+        for (int i = below(3); i > 0; --i) {
+            planes.push_back({any(2 * wide), {unit * (1 + below(2)), unit * below(2)}});
+        }
+        for (int i = below(2) * below(14); i > 0; --i) {
+            walls.push_back({any(wide), {{{unit * (1 + below(3)), unit * below(3)}}}});
+        }
+    }
+    [[nodiscard]] graze::scene<2> view() const { return {balls, planes, walls}; }
+};
 
 } // namespace
 
@@ -68,4 +100,74 @@ TEST_CASE("all events of the earliest time, as the oracle has them, whatever the
             RC_ASSERT(only.events[0] == expected[0].who);
         }
     }));
+}
+
+TEST_CASE("the first events are the first of all") {
+    int many = 0, none = 0;
+    CHECK(rc::check([&] {
+        const any_scene s;
+        std::optional<graze::impact_time<2>> first;
+        std::vector<graze::meeting> expected;
+        const auto offer = [&](const std::optional<graze::impact_time<2>>& t, const graze::meeting& who) {
+            if (t && (!first || *t < *first)) {
+                first = t;
+                expected.clear();
+            }
+            if (t && *t == *first) {
+                expected.push_back(who);
+            }
+        };
+        const auto meet = [&](graze::partner kind, const auto& parts, int i) {
+            for (int j = 0; j < static_cast<int>(parts.size()); ++j) {
+                offer(time_of_impact(s.balls[static_cast<std::size_t>(i)], parts[static_cast<std::size_t>(j)]),
+                      {kind, i, j});
+            }
+        };
+        for (int i = 0; i < static_cast<int>(s.balls.size()); ++i) {
+            const auto& a = s.balls[static_cast<std::size_t>(i)];
+            for (int j = i + 1; j < static_cast<int>(s.balls.size()); ++j) {
+                offer(time_of_impact(a, s.balls[static_cast<std::size_t>(j)]), {graze::partner::ball, i, j});
+            }
+            meet(graze::partner::plane, s.planes, i);
+            meet(graze::partner::wall, s.walls, i);
+        }
+        auto found = graze::first_events(s.view());
+        for (graze::meeting& m : found.events) {
+            if (m.with == graze::partner::ball && m.b < m.a) {
+                std::swap(m.a, m.b);
+            }
+        }
+        std::sort(found.events.begin(), found.events.end());
+        std::sort(expected.begin(), expected.end());
+        RC_ASSERT(found.events == expected);
+        RC_ASSERT(found.time.has_value() == first.has_value());
+        RC_ASSERT(!first || *found.time == *first);
+        many += expected.size() > 1 ? 1 : 0;
+        none += first ? 0 : 1;
+    }));
+    CHECK(many > 10);
+    CHECK(none > 0);
+}
+
+TEST_CASE("those that overlap are found among all") {
+    std::size_t pairs = 0;
+    CHECK(rc::check([&] {
+        const any_scene s;
+        std::vector<graze::meeting> expected;
+        const auto look = [&](graze::partner kind, const auto& parts) {
+            for (int i = 0; i < static_cast<int>(s.balls.size()); ++i) {
+                for (int j = kind == graze::partner::ball ? i + 1 : 0; j < static_cast<int>(parts.size()); ++j) {
+                    if (overlaps(s.balls[static_cast<std::size_t>(i)], parts[static_cast<std::size_t>(j)])) {
+                        expected.push_back({kind, i, j});
+                    }
+                }
+            }
+        };
+        look(graze::partner::ball, s.balls);
+        look(graze::partner::plane, s.planes);
+        look(graze::partner::wall, s.walls);
+        RC_ASSERT(graze::overlapping(s.view()) == expected);
+        pairs += expected.size();
+    }));
+    CHECK(pairs > 100);
 }

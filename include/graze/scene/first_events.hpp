@@ -1,15 +1,16 @@
 // The earliest event of a scene, exactly.
 #pragma once
 
-#include <graze/scene/canonical_order.hpp>
 #include <graze/scene/check_scene.hpp>
-#include <graze/scene/inner_edges.hpp>
+#include <graze/scene/first_search.hpp>
 #include <graze/scene/meeting.hpp>
+#include <graze/scene/numbered_scene.hpp>
+#include <graze/time/bounds_until.hpp>
 #include <graze/time/time_of_shapes.hpp>
 #include <graze/time/time_of_walls.hpp>
 
 #include <optional>
-#include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace graze::inline v0_1 {
@@ -52,48 +53,51 @@ class earliest_meetings {
     simultaneous wanted_;
 };
 
+// When a ball meets something, but for a triangle at an inner edge.
+template <int N, class T, class S>
+[[nodiscard]] std::optional<impact_time<N, T>> time_outside(const ball<N, T>& x, const S& other, unsigned inner) {
+    if constexpr (N == 3 && std::is_same_v<S, triangle<T>>) {
+        if (inner != 0 && is_inner(classify_feature(x, other), inner)) {
+            return std::nullopt;
+        }
+    }
+    return time_of_impact(x, other);
+}
+
+// An enclosure of the time at which they meet, as first_search asks for it.
+template <int N, class T>
+[[nodiscard]] enclosure bounds_of(const numbered_scene<N, T>& parts, body a, body b, double latest) {
+    enclosure found{enclosure::unknown, 0};
+    parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const meeting&, unsigned inner) {
+        if constexpr (std::is_same_v<decltype(y), const ball<N, T>&>) {
+            found = bounds_until(flight<N, T>{x, T(0)}, flight<N, T>{y, T(0)}, latest);
+        } else if (const auto t = time_outside(x, y, inner)) {
+            found = t->enclosure();
+        }
+    });
+    return found;
+}
+
 } // namespace detail
 
-// Looks at every pair, balls with balls, planes, walls and triangles, by time_of_impact: exact for every finite input.
-// Two balls that overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17:
-// radius is negative") as check does, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
+// The first of all meetings of balls with balls, planes, walls and triangles, by time_of_impact: exact for every finite
+// input. Pairs that are not near each other are looked at only while nothing is known to happen sooner. Two balls that
+// overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17: radius is negative")
+// as check does, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
 template <int N, std::floating_point T>
 requires is_binary_input<T>
 [[nodiscard]] first_meetings<N, T> first_events(const scene<N, T>& s, simultaneous wanted = simultaneous::all) {
     check(s);
     detail::earliest_meetings<N, T> earliest(wanted);
-    const auto at = [](const auto& pieces, int i) -> const auto& { return pieces[static_cast<std::size_t>(i)]; };
-    const std::vector<int> balls = detail::canonical_order(s.balls);
-    const std::vector<int> planes = detail::canonical_order(s.planes);
-    const std::vector<int> walls = detail::canonical_order(s.walls);
-    [[maybe_unused]] const auto marks = detail::inner_edges_of(s);
-    [[maybe_unused]] const std::vector<int> triangles = detail::canonical_order(detail::triangles_of(s), marks);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const ball<N, T>& a = at(s.balls, balls[i]);
-        for (std::size_t j = i + 1; j < balls.size(); ++j) {
-            earliest.meet(time_of_impact(a, at(s.balls, balls[j])), {partner::ball, balls[i], balls[j]});
-        }
-        for (const int p : planes) {
-            earliest.meet(time_of_impact(a, at(s.planes, p)), {partner::plane, balls[i], p});
-        }
-        const auto meet = [&](const auto& piece, partner kind, int index, unsigned inner) {
-            const meeting who{kind, balls[i], index};
-            try {
-                if (inner == 0 || !detail::is_inner(classify_feature(a, piece), inner)) {
-                    earliest.meet(time_of_impact(a, piece), who);
-                }
-            } catch (const std::domain_error& e) { // parallel edges
-                throw std::domain_error(to_string(who) + ": " + e.what());
-            }
-        };
-        for (const int w : walls) {
-            meet(at(s.walls, w), partner::wall, w, 0);
-        }
-        if constexpr (N == 3) {
-            for (const int t : triangles) {
-                meet(at(s.triangles, t), partner::triangle, t, marks.empty() ? 0U : unsigned{at(marks, t)});
-            }
-        }
+    const detail::numbered_scene<N, T> parts(s, detail::numbering::canonical);
+    const auto bounds = [&](detail::body a, detail::body b, double latest) {
+        return detail::bounds_of(parts, a, b, latest);
+    };
+    for (const auto& [a, b] : detail::may_be_first<N>(
+             parts.flights(), detail::standing_cells<N>(parts.extents(), parts.balls()), parts.bodies(), bounds)) {
+        parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const meeting& who, unsigned inner) {
+            earliest.meet(detail::time_outside(x, y, inner), who);
+        });
     }
     return earliest.take();
 }

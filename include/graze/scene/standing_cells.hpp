@@ -1,8 +1,8 @@
 // Which planes and walls are near a point.
 #pragma once
 
-#include <graze/linear/vec.hpp>
 #include <graze/scene/body.hpp>
+#include <graze/scene/standing_extent.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,13 +12,6 @@
 #include <vector>
 
 namespace graze::inline v0_1::detail {
-
-// Where something stands, in doubles: in a box, and in the plane through `point` with the normal n. Each number is
-// within 2^-50 of what it stands for, relatively.
-template <int N>
-struct standing_extent {
-    vec<N, double> low, high, point, n;
-};
 
 // The planes and walls numbered from `first` on. Planes are looked at one by one; walls that are many are in a grid of
 // cells over all of them.
@@ -41,7 +34,7 @@ class standing_cells {
                 p.low.component[k] -= off;
                 p.high.component[k] += off;
             }
-            (is_bounded(p) ? bounded_ : endless_).push_back(static_cast<body>(i));
+            (p.is_bounded() ? bounded_ : endless_).push_back(static_cast<body>(i));
         }
         if (bounded_.size() > 8) {
             lay_cells();
@@ -50,13 +43,20 @@ class standing_cells {
 
     // f(b) for all that may be within `reach` of x, each once.
     template <class F>
-    void around(const point& x, double reach, F f) const {
+    void planes_around(const point& x, double reach, F f) const {
+        for (const body i : endless_) {
+            if (is_near(parts_[i], x, reach)) {
+                f(first_ + i);
+            }
+        }
+    }
+    template <class F>
+    void walls_around(const point& x, double reach, F f) const {
         const auto look = [&](body i) {
             if (is_near(parts_[i], x, reach)) {
                 f(first_ + i);
             }
         };
-        std::for_each(endless_.begin(), endless_.end(), look);
         if (along_ == 0) {
             std::for_each(bounded_.begin(), bounded_.end(), look);
             return;
@@ -83,10 +83,8 @@ class standing_cells {
     }
 
   private:
-    static constexpr double endless = std::numeric_limits<double>::max();
     using place = std::array<std::size_t, N>;
 
-    [[nodiscard]] static bool is_bounded(const standing_extent<N>& p) noexcept { return p.high[0] < endless; }
     // False if for certain it is not. Boxes are wider than they have to be by more than they are rounded. The product
     // with n, of which no component is above 1, is right to 2^-47 of the sum of all numbers in it.
     [[nodiscard]] static bool is_near(const standing_extent<N>& p, const point& x, double reach) noexcept {
@@ -152,7 +150,7 @@ class standing_cells {
             for (int k = 0; k < N; ++k) {
                 const double length = high[k] - low_[k];
                 const double cells = static_cast<double>(along_) / length;
-                per_length_.component[k] = length > 0 && cells < endless ? cells : 0;
+                per_length_.component[k] = length > 0 && cells < standing_extent<N>::endless ? cells : 0;
             }
             std::size_t entries = 0;
             for_each_entry([&](body, std::size_t) { ++entries; });

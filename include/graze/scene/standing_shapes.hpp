@@ -9,11 +9,10 @@
 #include <graze/scene/mechanics.hpp>
 #include <graze/scene/meeting.hpp>
 #include <graze/scene/scene.hpp>
-#include <graze/scene/standing_cells.hpp>
+#include <graze/scene/standing_extent.hpp>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -102,7 +101,7 @@ class standing_shapes {
     [[nodiscard]] std::vector<standing_extent<dimension>> extents(const M& m) const {
         std::vector<standing_extent<dimension>> result;
         for (body b = begin(); b < end(); ++b) {
-            result.push_back(with(b, [&](const auto& s) { return extent_of(m, s); }));
+            result.push_back(with(b, [&](const auto& s) { return extent_in_doubles(m, s); }));
         }
         return result;
     }
@@ -144,34 +143,14 @@ class standing_shapes {
     [[nodiscard]] static vec<dimension, double> in_doubles(const M& m, const vec<dimension, number>& x) {
         return m.about(m.start({x, x, number(0), number(1)})).state.position;
     }
-    [[nodiscard]] static extent endless(const vec<dimension, double>& point, const vec<dimension, double>& n) {
-        using limits = std::numeric_limits<double>;
-        return {make_vec<dimension>([](int) { return limits::lowest(); }),
-                make_vec<dimension>([](int) { return limits::max(); }), point, n};
-    }
-    [[nodiscard]] static extent extent_of(const M& m, const plane<dimension, number>& p) {
-        return endless(in_doubles(m, p.point), in_doubles(m, p.normal));
+    [[nodiscard]] static extent extent_in_doubles(const M& m, const plane<dimension, number>& p) {
+        return endless_extent(in_doubles(m, p.point), in_doubles(m, p.normal));
     }
     template <class W>
-    [[nodiscard]] static extent extent_of(const M& m, const W& w) {
-        const auto corner = in_doubles(m, w.corner);
+    [[nodiscard]] static extent extent_in_doubles(const M& m, const W& w) {
         std::array<vec<dimension, double>, dimension - 1> edge;
         std::transform(w.edge.begin(), w.edge.end(), edge.begin(), [&](const auto& e) { return in_doubles(m, e); });
-        extent x{corner, corner, corner, face_normal(edge)};
-        double largest = 1;
-        for (const auto& e : edge) {
-            largest *= graze::squared_norm(e);
-        }
-        if (!(graze::squared_norm(x.n) > 0x1p-60 * largest)) { // parallel edges, or doubles can't tell
-            return endless(corner, {});
-        }
-        for (const auto& e : edge) {
-            for (int i = 0; i < dimension; ++i) {
-                x.low.component[i] += std::min(e[i], 0.0);
-                x.high.component[i] += std::max(e[i], 0.0);
-            }
-        }
-        return x;
+        return extent_of(in_doubles(m, w.corner), edge);
     }
 
     std::vector<int> plane_names_, wall_names_, triangle_names_;

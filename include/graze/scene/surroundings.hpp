@@ -73,7 +73,9 @@ class surroundings {
                 fresh_.push_back(b);
             }
         });
-        standing_.around(centre_, reach, [&](body b) { fresh_.push_back(b); });
+        const auto add = [&](body b) { fresh_.push_back(b); };
+        standing_.planes_around(centre_, reach, add);
+        standing_.walls_around(centre_, reach, add);
         return true;
     }
     [[nodiscard]] std::span<const body> fresh() const noexcept { return fresh_; }

@@ -1,0 +1,56 @@
+// Which balls of a scene are near each other.
+#pragma once
+
+#include <graze/scene/centre_cells.hpp>
+#include <graze/scene/shell.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// How far from its centre a ball may be, whose numbers were rounded by no more than 2^-50 of them.
+template <int N>
+[[nodiscard]] double reach_of(const ball<N, double>& b) noexcept {
+    double far = 0;
+    for (int i = 0; i < N; ++i) {
+        far += std::fabs(b.position[i]);
+    }
+    return b.radius * (1 + 0x1p-40) + far * 0x1p-44;
+}
+
+// f(a, b), a < b, for the balls that may overlap, all that do among them. Through cells, but for balls of numbers
+// beyond 2^400, which are compared with all.
+template <int N, class F>
+void for_each_close_pair(const std::vector<flight<N, double>>& balls, F f) {
+    double largest = 0;
+    std::vector<body> far;
+    for (body a = 0; a < balls.size(); ++a) {
+        const double reach = reach_of(balls[a].state);
+        if (reach < 0x1p356) {
+            largest = std::max(largest, reach);
+        } else {
+            far.push_back(a);
+        }
+    }
+    const double spacing = std::max({spacing_of<N>(balls), largest / 0x1p20, 0x1p-390});
+    centre_cells<N> cells(balls.size(), 1.0625 * std::max(spacing / 2, largest), {});
+    auto next_far = far.begin();
+    for (body a = 0; a < balls.size(); ++a) {
+        if (next_far != far.end() && *next_far == a) {
+            ++next_far;
+            for (body b = 0; b < balls.size(); ++b) {
+                if (b < a || (b > a && !std::binary_search(far.begin(), far.end(), b))) {
+                    f(std::min(a, b), std::max(a, b));
+                }
+            }
+            continue;
+        }
+        const double reach = std::max(reach_of(balls[a].state), spacing / 64);
+        cells.around(balls[a].state.position, reach, [&](body b) { f(b, a); });
+        cells.make_level(reach);
+        cells.enter(a, balls[a].state.position, reach);
+    }
+}
+
+} // namespace graze::inline v0_1::detail
