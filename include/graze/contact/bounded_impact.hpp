@@ -128,7 +128,7 @@ template <bool Fused, moving B, class F>
                                                         double time, F& take) noexcept {
     const lane_movers f = lane_movers_of<Fused>(a, b);
     const auto r = approach_near<Fused>(f.motion, time, f.length2);
-    if (!(r.good && r.sharp && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
+    if (!(r.sharp && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
         return false;
     }
     take(on_clock_of(a, b, r.time()), 0);

@@ -138,7 +138,7 @@ struct fast_approach {
 //     5.1 (u² L² + V² t1²): below (89 u² L² + 7.2 V² t1²)/σ + 4 u |t1|, and that, roundings of this and of t1 ± error
 //     included, below error := 2^-99 L²/σ + (8 V² |t1|/σ + 2^-48) |t1|.
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, on which further bounds rest; these also need γ < 2^40 and |t1| <
-// 2^-50 L²/σ (sharp), and then 1 <= 0.51 γ and L V/σ <= 0.715 γ.
+// 2^-50 L²/σ (sharp, of which good follows), and then 1 <= 0.51 γ and L V/σ <= 0.715 γ.
 //
 // length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
 // length2 more in f, 175 in place of 163, and error bounds it still.
@@ -165,9 +165,8 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
             error,
             sensitivity,
             per_time,
-            hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2), sensitivity < 0x1p80,
-                          0x1p10 * (speed2 * magnitude) < sigma),
-            hold_together(sensitivity < 0x1p40, 0x1p50 * magnitude < way)};
+            hold_together(in_range, sensitivity < 0x1p80, 0x1p10 * (speed2 * magnitude) < sigma),
+            hold_together(in_range, sensitivity < 0x1p40, 0x1p50 * magnitude < way)};
 }
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m, double time,
