@@ -112,8 +112,8 @@ template <int N, class T, moving B>
         if (has_usual_size(a, b)) {
             contact<N, T> found;
             rounded_components<N, T> taken{wanted == all_parts ? c : found};
-            const auto w =
-                with_best_products(contact_in_words<rounded_components<N, T>, B>{taken, a, b, mass_a, mass_b});
+            const auto w = with_best_products(
+                contact_in_words<rounded_components<N, T>, N>{taken, as_flight(a), as_flight(b), mass_a, mass_b});
             r.what = w.what;
             r.certain = wanted & taken.certain;
             if (wanted != all_parts) {
@@ -129,9 +129,9 @@ template <int N, class T, moving B>
         if constexpr (std::same_as<T, double>) { // floats are in range
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
                 unscaled_components<N> taken;
-                r.what =
-                    with_best_products(contact_in_words<unscaled_components<N>, B>{taken, s.a, s.b, mass_a, mass_b})
-                        .what;
+                r.what = with_best_products(contact_in_words<unscaled_components<N>, N>{taken, as_flight(s.a),
+                                                                                        as_flight(s.b), mass_a, mass_b})
+                             .what;
                 r.certain = scale_back(c, taken, wanted, s.length, s.velocity);
             }
         }

@@ -143,16 +143,16 @@ struct words_of_contact {
     int what;
     bool in_range;
 };
-// Takes the components of a hit; of an overlap all but time and, of balls, positions.
-template <class Taker, moving B>
+// Takes the components of a hit; of an overlap all but the time.
+template <class Taker, int N>
 struct contact_in_words {
     Taker& taken;
-    const B &a, &b;
+    const flight<N, double>&a, &b;
     double mass_a, mass_b;
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] words_of_contact operator()(std::bool_constant<Fused>) const noexcept {
-        const word_approach<Fused, B> w(a, b);
+        const word_approach<Fused, flight<N, double>> w(a, b);
         if (w.what == static_cast<int>(encounter::hit)) {
             if (w.good && is_usable_mass(mass_a) && is_usable_mass(mass_b)) {
                 bound_word_contact<Fused>(w, a, b, mass_a, mass_b, taken);

@@ -46,6 +46,16 @@ template <int N, class T>
     return f.state;
 }
 
+// As a flight. Code that is asked seldom and is large stands once, for flights.
+template <int N, class T>
+[[nodiscard]] constexpr flight<N, T> as_flight(const ball<N, T>& b) noexcept {
+    return {b, T(0)};
+}
+template <int N, class T>
+[[nodiscard]] constexpr const flight<N, T>& as_flight(const flight<N, T>& f) noexcept {
+    return f;
+}
+
 // The epochs of two movers.
 template <moving B>
 [[nodiscard]] constexpr std::array<number_in<B>, 2> epochs_of(const B& a, const B& b) noexcept {

@@ -22,13 +22,13 @@ struct further_time {
     enclosure bounds{};
 };
 
-template <moving B>
+template <int N>
 struct approach_in_words {
-    const B *a, *b;
+    const flight<N, double>*a, *b;
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] further_time operator()(std::bool_constant<Fused>) const noexcept {
-        const word_approach<Fused, B> w(*a, *b);
+        const word_approach<Fused, flight<N, double>> w(*a, *b);
         further_time r;
         r.what = w.what;
         r.decided_by = stage::double_word;
@@ -114,7 +114,9 @@ template <moving B>
             }
             const bool steps = before == tried::time || !is_usual;
             if (!steps || !filter_time(r, *x, *y)) {
-                r = with_best_products(approach_in_words<B>{x, y});
+                const auto& as_a = as_flight(*x);
+                const auto& as_b = as_flight(*y);
+                r = with_best_products(approach_in_words<dimension_of<B>>{&as_a, &as_b});
             }
             r.unit = s.length - s.velocity;
         }

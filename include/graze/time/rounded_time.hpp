@@ -100,7 +100,7 @@ template <class T, int N, class U>
 template <moving B, int N, class U>
 [[nodiscard]] constexpr B mover_in(const event<N, U>& e, std::size_t which) noexcept {
     if constexpr (is_flight<B>) {
-        return {mover_in<ball<N, U>>(e, which), e.since(two_balls<N>{})[which]};
+        return {mover_in<ball<N, U>>(e, which), e.timed ? e.since(two_balls<N>{})[which] : U(0)};
     } else {
         B b;
         for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) {
@@ -116,11 +116,8 @@ template <moving B, int N, class U>
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] T round_further(const event<N, U>& e, rounding mode) {
     if constexpr (std::is_floating_point_v<U>) {
-        const auto found = [&]<class B>(std::type_identity<B>, tried before) {
-            return find_further_time(mover_in<B>(e, 0), mover_in<B>(e, 1), before);
-        };
-        const further_time t = e.timed ? found(std::type_identity<flight<N, U>>{}, tried::time)
-                                       : found(std::type_identity<ball<N, U>>{}, tried::step);
+        const further_time t = find_further_time(mover_in<flight<N, U>>(e, 0), mover_in<flight<N, U>>(e, 1),
+                                                 e.timed ? tried::time : tried::step);
         if (const auto rounded = round_further_time<T>(t, mode)) {
             return *rounded;
         }

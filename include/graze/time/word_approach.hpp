@@ -125,12 +125,14 @@ struct word_approach {
                 return epochs;
             });
         if constexpr (is_flight<B>) {
-            constexpr double k = of_words::bound(analysed_movers<true>::value<N, of_words>().dx[0]);
-            for (int i = 0; i < N; ++i) {
-                motion.dx[i] = as_input(motion.dx[i]);
-                off += k * size.dx[i].value;
+            if (as_stored(x.since) != as_stored(y.since)) { // else Δx is exact, as that of balls
+                constexpr double k = of_words::bound(analysed_movers<true>::value<N, of_words>().dx[0]);
+                for (int i = 0; i < N; ++i) {
+                    motion.dx[i] = as_input(motion.dx[i]);
+                    off += k * size.dx[i].value;
+                }
+                off += 0x1p-900;
             }
-            off += 0x1p-900;
         }
         cross = word_cross<Fused, N>(motion.dx, motion.du, 1.0001 * off * sum_of_sizes(motion.du));
         a = graze::squared_norm(motion.du);
