@@ -53,13 +53,18 @@ template <int N, class T>
     return open_parts;
 }
 
-// Takes what is bounded: writes the upper ends, and keeps which are certain.
+// Takes what is bounded: writes the upper ends, and keeps which are certain; and the time as it is, for those who scale
+// it.
 template <int N, class T>
 struct rounded_components {
     contact<N, T>& c;
     parts certain = 0;
+    bounded<double> time{};
 
     [[gnu::always_inline]] void operator()(const bounded<double>& x, int number) noexcept {
+        if (number == 0) {
+            time = x;
+        }
         const ends<double> interval = ends_of<T>(x);
         component(c, number) = static_cast<T>(interval.upper);
         certain |= parts{agree<T>(interval)} << number;

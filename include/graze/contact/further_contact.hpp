@@ -8,24 +8,6 @@
 
 namespace graze::inline v0_1::detail {
 
-// Rounds components as they come, but keeps the time as it is too.
-template <int N>
-struct unscaled_components {
-    contact<N, double> c;
-    rounded_components<N, double> rounded{c};
-    bounded<double> time{};
-
-    [[gnu::always_inline]] void operator()(const bounded<double>& x, int number) noexcept {
-        if (number == 0) {
-            time = x;
-        }
-        rounded(x, number);
-    }
-    [[gnu::always_inline]] void operator()(const bounded<lanes>& x, int first, int second) noexcept {
-        rounded(x, first, second);
-    }
-};
-
 // to[i] = from[i] 2^power for those that are wanted, where both are normal numbers; says which.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts scale_back(vec<N, double>& to, const vec<N, double>& from, part first,
@@ -46,9 +28,9 @@ template <int N>
 
 // The same of all components, from units of lengths and velocities of 2^length and 2^velocity.
 template <int N>
-[[nodiscard]] parts scale_back(contact<N, double>& c, const unscaled_components<N>& x, parts wanted, int length,
+[[nodiscard]] parts scale_back(contact<N, double>& c, const rounded_components<N, double>& x, parts wanted, int length,
                                int velocity) noexcept {
-    wanted &= x.rounded.certain;
+    wanted &= x.certain;
     parts done = scale_back(c.position_a, x.c.position_a, part::position_a, wanted, length) |
                  scale_back(c.position_b, x.c.position_b, part::position_b, wanted, length) |
                  scale_back(c.normal, x.c.normal, part::normal, wanted, 0) |
@@ -87,9 +69,10 @@ template <moving B>
         r.what = static_cast<int>(f.what());
         r.decided_by = stage::filter;
         if (is_collision(f.what())) {
-            unscaled_components<dimension_of<B>> taken;
+            contact<dimension_of<B>, double> found;
+            rounded_components<dimension_of<B>, double> taken{found};
             const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
-            if (with_best_products(contact_by_doubles<unscaled_components<dimension_of<B>>, B>{
+            if (with_best_products(contact_by_doubles<rounded_components<dimension_of<B>, double>, B>{
                     taken, s.a, s.b, mass_a, mass_b, near, f.what() == encounter::overlap})) {
                 r.certain = scale_back(c, taken, all_parts, s.length, s.velocity);
             }
@@ -128,9 +111,10 @@ template <int N, class T, moving B>
         }
         if constexpr (std::same_as<T, double>) { // floats are in range
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
-                unscaled_components<N> taken;
-                r.what = with_best_products(contact_in_words<unscaled_components<N>, N>{taken, as_flight(s.a),
-                                                                                        as_flight(s.b), mass_a, mass_b})
+                contact<N, double> found;
+                rounded_components<N, double> taken{found};
+                r.what = with_best_products(contact_in_words<rounded_components<N, double>, N>{
+                                                taken, as_flight(s.a), as_flight(s.b), mass_a, mass_b})
                              .what;
                 r.certain = scale_back(c, taken, wanted, s.length, s.velocity);
             }

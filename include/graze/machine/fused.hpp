@@ -17,7 +17,7 @@ template <class F>
     return f(std::true_type{});
 }
 template <class F>
-[[nodiscard, gnu::noinline]] auto run_unfused(passed<F> f) { // beside the code that calls it, which is mostly not used
+[[nodiscard, gnu::noinline, gnu::cold]] auto run_unfused(passed<F> f) { // mostly not used: small before fast
     return f(std::false_type{});
 }
 #endif

@@ -161,6 +161,7 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
     const number sensitivity = per_time * way;
     const number magnitude = absolute(t1);
     const number error = settled(0x1p-99 * way + magnitude * (0x1p-48 + 8 * (per_time * magnitude)));
+    const auto in_range = hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2));
     return {t1,
             error,
             sensitivity,
