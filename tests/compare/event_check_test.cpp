@@ -116,6 +116,19 @@ TEST_CASE("an event that is told after a later one is held against the way until
                 "ball 0 and ball 1 met before that"));
 }
 
+TEST_CASE("a ball that has bounced is not held against another one as if it had come from there") {
+    owned_scene<2, certified> s;
+    s.balls.push_back(ball_of(at(number(0), number(0)), at(number(1), number(0)), number(1)));
+    s.balls.push_back(ball_of(at(number(4), number(10)), at(number(0), number(-1)), number(1)));
+    s.planes.push_back({at(number(0), number(2)), at(number(0), number(1))});
+    event_check<2> check(s);
+    // Straight back from its bounce ball 1 would have been where ball 0 was, at (4, 0), at t = 4.
+    const plane_flight up{ball_of(at(number(4), number(3)), at(number(0), number(1)), number(1)), number(7)};
+    CHECK(said([&] { check.event({plane, 1, 0}, number(7), up, nullptr); }).empty());
+    CHECK(said([&] { check.end(number(9)); }).empty());
+    CHECK(said([&] { check.end_of_all(); }).empty());
+}
+
 TEST_CASE("the true course of two balls and a plane passes") {
     const auto scene = two_balls();
     event_check<2> check(scene);
