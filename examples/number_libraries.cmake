@@ -48,6 +48,9 @@ endfunction()
 
 function(graze_find_number_libraries)
     get_property(done GLOBAL PROPERTY graze_number_libraries_done)
+    if(GRAZE_STANDARD_ALONE)
+        return()
+    endif()
     if(done)
         return() # what is missing has been said
     endif()

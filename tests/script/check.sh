@@ -14,13 +14,16 @@ printf 'absent-three\n' >"$work/tree/.ci/packages-report.txt"
 stand_in() { printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n%s\n' "$1" "$work" "$2" >"$work/bin/$1"; }
 stand_in dpkg-query 'case $* in *here) echo installed ;; *) exit 1 ;; esac'
 stand_in apt-cache 'case $* in *unknown) exit 100 ;; esac'
-stand_in apt-get 'exit ${APT_STATUS:-0}'
+stand_in apt-get 'case $* in *--simulate) echo "Inst ${SIMULATED:-absent} (1.0)"; exit ;; install*) exit ${INSTALL_STATUS:-0} ;; esac
+exit ${APT_STATUS:-0}'
 stand_in sudo '"$@"'
 stand_in id 'echo ${USER_ID:-0}'
 stand_in cmake 'echo "noise of cmake"; echo "-- graze: a remark"
 case $1 in --build) echo "[1/20] Building"; echo "[ 7%] Building"; echo "[11/20] Building"; exit ${BUILD_STATUS:-0} ;; esac
 exit ${CMAKE_STATUS:-0}'
 stand_in ctest ''
+stand_in c++ ''
+stand_in ninja ''
 chmod +x "$work"/bin/*
 program=build/release/examples/compare/graze-compare
 mkdir -p "$work/tree/${program%/*}"
@@ -89,6 +92,18 @@ has calls '^apt-get install .* absent absent-too$'
 has calls '^cmake --preset test -DGRAZE_BUILD_TESTS=ON'
 has calls '^cmake --build build/test --target all'
 has calls '^ctest --preset test .*-R a b'
+has calls '^cmake --preset test -DGRAZE_BUILD_TESTS=ON -DGRAZE_STANDARD_ALONE=ON' # while apt installs
+has calls '^cmake --preset test -DGRAZE_BUILD_TESTS=ON -DGRAZE_STANDARD_ALONE=OFF'
+SIMULATED='c++ [0.9]'; export SIMULATED # would be replaced
+run 0 test; has calls '^apt-get install .* absent absent-too$'; lacks calls STANDARD_ALONE=ON
+unset SIMULATED
+INSTALL_STATUS=100; export INSTALL_STATUS
+run 100 test; has err 'this failed: as_root env .* apt-get install'; lacks calls STANDARD_ALONE=OFF; lacks calls ctest
+run 100 compare; lacks calls cmake
+unset INSTALL_STATUS
+BUILD_STATUS=3; export BUILD_STATUS
+run 1 test; has calls '^apt-get install .* absent-too$'; has err 'could not be built: all'; lacks calls STANDARD_ALONE=OFF
+unset BUILD_STATUS
 
 run 0 report --no-install 'a book'
 has calls '^cmake --build build/release --target graze-compare graze-peers'
