@@ -89,7 +89,7 @@ elseif(WAY STREQUAL "single_header")
     endif()
 
     function(try compiler which)
-        set(flags -std=c++20 "-I${WORK}/single/${which}" "${consumer}/main.cpp")
+        set(flags -std=c++20 -DCONSUMER_DECIDES "-I${WORK}/single/${which}" "${consumer}/main.cpp")
         run("${compiler}" -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror ${flags} -o "${WORK}/by_single_header")
         run("${WORK}/by_single_header")
         execute_process(COMMAND "${compiler}" ${flags} -E -dM OUTPUT_VARIABLE defined COMMAND_ERROR_IS_FATAL ANY)
