@@ -130,12 +130,6 @@ void save(const fs::path& path, const std::string& content) {
     return text;
 }
 
-void replace(std::string& text, std::string_view what, std::string_view by) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-        text.replace(at, what.size(), by);
-    }
-}
-
 // Runs in the page. A headless window is at least 500 pixels wide, so the page stands in a frame, to which it answers.
 constexpr std::string_view measure = R"(<script>addEventListener('load', () => {
   const round = x => Math.round(x * 10) / 10, visible = e => e.getBoundingClientRect().width > 0;
@@ -153,19 +147,89 @@ constexpr std::string_view measure = R"(<script>addEventListener('load', () => {
     references: performance.getEntriesByType('resource').length + [...document.querySelectorAll('[src], [href], [srcset], [data]')]
       .filter(e => !(e.getAttribute('href') ?? '').startsWith('#')).length, scripts: document.scripts.length - 1, pictures }), '*') })</script>)";
 
+// Of each image, with its boxes.
 constexpr std::string_view count_pixels = R"(<script>addEventListener('load', () => {
-  const image = document.querySelector('img'), canvas = document.createElement('canvas');
-  canvas.width = image.naturalWidth; canvas.height = image.naturalHeight;
-  const c = canvas.getContext('2d'); c.drawImage(image, 0, 0);
-  const paper = c.getImageData(2, 2, 1, 1).data;
-  document.getElementById('answer').textContent = JSON.stringify({
-    paper: (paper[0] + paper[1] + paper[2]) / 765,
-    pictures: BOXES.map(([x, y, w, h]) => {
-      const d = c.getImageData(x, y, Math.max(w, 1), Math.max(h, 1)).data, colours = new Set(); let ink = 0;
-      for (let i = 0; i < d.length; i += 4) {
-        if (Math.abs(d[i] - paper[0]) + Math.abs(d[i + 1] - paper[1]) + Math.abs(d[i + 2] - paper[2]) > 24) ++ink;
-        colours.add((d[i] >> 4) << 8 | (d[i + 1] >> 4) << 4 | d[i + 2] >> 4) }
-      return { ink: ink / (d.length / 4), colours: colours.size } }) }) })</script>)";
+  document.getElementById('answer').textContent = JSON.stringify([...document.images].map((image, i) => {
+    const canvas = document.createElement('canvas');
+    canvas.width = image.naturalWidth; canvas.height = image.naturalHeight;
+    const c = canvas.getContext('2d'); c.drawImage(image, 0, 0);
+    const paper = c.getImageData(2, 2, 1, 1).data;
+    return { paper: (paper[0] + paper[1] + paper[2]) / 765,
+      pictures: boxes[i].map(([x, y, w, h]) => {
+        const d = c.getImageData(x, y, Math.max(w, 1), Math.max(h, 1)).data, colours = new Set(); let ink = 0;
+        for (let i = 0; i < d.length; i += 4) {
+          if (Math.abs(d[i] - paper[0]) + Math.abs(d[i + 1] - paper[1]) + Math.abs(d[i + 2] - paper[2]) > 24) ++ink;
+          colours.add((d[i] >> 4) << 8 | (d[i + 1] >> 4) << 4 | d[i + 2] >> 4) }
+        return { ink: ink / (d.length / 4), colours: colours.size } }) } })) })</script>)";
+
+// A page that shows files in frames and answers what they answer.
+[[nodiscard]] std::string frames(const std::vector<std::size_t>& files, const std::vector<view>& views, int height) {
+    std::ostringstream page;
+    page << "<!DOCTYPE html><style>body { margin: 0 } iframe { border: 0; display: block; height: " << height
+         << "px } pre { display: none }</style>";
+    for (const std::size_t file : files) {
+        page << "<iframe style=\"width: " << views[file].width << "px\" src=\"" << file << ".html\"></iframe>";
+    }
+    page << "<pre id=\"answer\"></pre><script>const frames = [...document.querySelectorAll('iframe')], answers = [];"
+         << "onmessage = e => { answers[frames.findIndex(f => f.contentWindow === e.source)] = JSON.parse(e.data);"
+         << "if (Object.keys(answers).length === frames.length)"
+         << "document.getElementById('answer').textContent = JSON.stringify(answers) }</script>";
+    return page.str();
+}
+
+constexpr const char* patience = "--virtual-time-budget=20000";
+[[nodiscard]] std::string scheme(bool dark) {
+    return std::string("--blink-settings=preferredColorScheme=") + (dark ? "0" : "1");
+}
+
+// What the script `measure` finds in each view.
+[[nodiscard]] std::vector<nlohmann::json> measured(const fs::path& room, const std::vector<view>& views) {
+    std::vector<nlohmann::json> found(views.size());
+    for (const bool dark : {false, true}) {
+        std::vector<std::size_t> files;
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            if (views[i].dark == dark) {
+                files.push_back(i);
+                std::string html = views[i].html;
+                const auto end = html.rfind("</body>");
+                html.insert(end == std::string::npos ? html.size() : end, measure);
+                save(room / (std::to_string(i) + ".html"), html);
+            }
+        }
+        if (files.empty()) {
+            continue;
+        }
+        save(room / "frames.html", frames(files, views, 900));
+        const auto answers = answer_in(
+            run(room, {scheme(dark), "--window-size=1400,900", patience, "--dump-dom", url(room / "frames.html")}));
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            found[files[i]] = answers.at(i);
+        }
+    }
+    return found;
+}
+
+[[nodiscard]] seen_page page_of(const nlohmann::json& found) {
+    seen_page page;
+    page.width = found.at("width"), page.needed_width = found.at("needed");
+    page.references = found.at("references"), page.scripts = found.at("scripts");
+    page.too_wide = found.at("wide").get<std::vector<std::string>>();
+    for (const auto& p : found.at("pictures")) {
+        page.pictures.push_back({p.at("name"), p.at("width"), p.at("height"), p.at("drawn"), p.at("named"), 0, 0});
+    }
+    return page;
+}
+
+// Takes a picture of a whole page: the bytes of a PNG.
+[[nodiscard]] std::string shot(const fs::path& room, const std::vector<view>& views, std::size_t i, int height) {
+    save(room / "frames.html", frames({i}, views, height));
+    const auto file = room / "shot.png";
+    const std::string window =
+        "--window-size=" + std::to_string(std::max(views[i].width, 500)) + "," + std::to_string(height);
+    static_cast<void>(run(
+        room, {scheme(views[i].dark), window, patience, "--screenshot=" + file.string(), url(room / "frames.html")}));
+    return contents(file);
+}
 
 } // namespace
 
@@ -178,88 +242,43 @@ std::optional<std::string> chromium() {
     return std::nullopt;
 }
 
-namespace {
-
-// A room with the page in a frame, and what its script found there.
-class view {
-  public:
-    view(std::string html, int width, bool dark)
-        : width_(width), scheme_(std::string("--blink-settings=preferredColorScheme=") + (dark ? "0" : "1")) {
-        const auto end = html.rfind("</body>");
-        html.insert(end == std::string::npos ? html.size() : end, measure);
-        save(room_.path / "inner.html", html);
-        frame(900);
-        found_ = answer_in(run(room_.path, {scheme_, "--window-size=1400,900", patience, "--dump-dom", url(page_)}));
-    }
-
-    [[nodiscard]] seen_page measured() const {
-        seen_page page;
-        page.width = found_.at("width"), page.needed_width = found_.at("needed");
-        page.references = found_.at("references"), page.scripts = found_.at("scripts");
-        page.too_wide = found_.at("wide").get<std::vector<std::string>>();
-        for (const auto& p : found_.at("pictures")) {
-            page.pictures.push_back({p.at("name"), p.at("width"), p.at("height"), p.at("drawn"), p.at("named"), 0, 0});
+std::vector<seen_page> look_at(const std::vector<view>& views) {
+    const scratch room;
+    const auto found = measured(room.path, views);
+    std::vector<seen_page> pages;
+    std::vector<std::size_t> shown;
+    nlohmann::json boxes = nlohmann::json::array();
+    std::string images;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        pages.push_back(page_of(found[i]));
+        if (!views[i].pixels) {
+            continue;
         }
-        return page;
-    }
-
-    // Takes a picture of the whole page and counts pixels in it.
-    void look(seen_page& page) {
         // A screen ends at 16,384 pixels; the pictures stand above the tables.
-        const int height = std::min(found_.at("height").get<int>(), 16000);
-        frame(height);
-        const auto shot = room_.path / "shot.png";
-        const std::string window =
-            "--window-size=" + std::to_string(std::max(width_, 500)) + "," + std::to_string(height);
-        static_cast<void>(run(room_.path, {scheme_, window, patience, "--screenshot=" + shot.string(), url(page_)}));
-        nlohmann::json boxes = nlohmann::json::array();
-        for (const auto& p : found_.at("pictures")) {
+        const int height = std::min(found[i].at("height").get<int>(), 16000);
+        images += "<img src=\"data:image/png;base64," + base64(shot(room.path, views, i, height)) + "\">";
+        shown.push_back(i);
+        boxes.emplace_back(nlohmann::json::array());
+        for (const auto& p : found[i].at("pictures")) {
             const auto whole = [&](const char* key) { return static_cast<int>(p.at(key).get<double>()); };
-            boxes.push_back({whole("x"), whole("y"), whole("width"), whole("height")});
-        }
-        std::string counter(count_pixels);
-        replace(counter, "BOXES", boxes.dump());
-        save(room_.path / "count.html", "<!DOCTYPE html><img src=\"data:image/png;base64," + base64(contents(shot)) +
-                                            "\"><pre id=\"answer\"></pre>" + counter);
-        const auto counted = answer_in(run(room_.path, {"--dump-dom", url(room_.path / "count.html")}));
-        page.paper = counted.at("paper");
-        for (std::size_t i = 0; i < page.pictures.size(); ++i) {
-            page.pictures[i].ink = counted.at("pictures")[i].at("ink");
-            page.pictures[i].colours = counted.at("pictures")[i].at("colours");
+            boxes.back().push_back({whole("x"), whole("y"), whole("width"), whole("height")});
         }
     }
-
-  private:
-    static constexpr const char* patience = "--virtual-time-budget=20000";
-    scratch room_;
-    fs::path page_ = room_.path / "frame.html";
-    int width_;
-    std::string scheme_; // 0 is dark, 1 is light
-    nlohmann::json found_;
-
-    void frame(int height) const {
-        std::ostringstream page;
-        page << "<!DOCTYPE html><style>body { margin: 0 } iframe { border: 0; display: block; width: " << width_
-             << "px; height: " << height << "px } pre { display: none }</style><iframe src=\"inner.html\"></iframe>"
-             << "<pre id=\"answer\"></pre><script>onmessage = e => document.getElementById('answer').textContent = "
-             << "e.data</script>";
-        save(page_, page.str());
+    if (shown.empty()) {
+        return pages;
     }
-};
-
-} // namespace
-
-seen_page look_at(const std::string& html, int width, bool dark) {
-    view v(html, width, dark);
-    seen_page page = v.measured();
-    v.look(page);
-    return page;
-}
-
-seen_page lay_out(const std::string& html, int width) {
-    std::string open = html;
-    replace(open, "<details>", "<details open>");
-    return view(open, width, false).measured();
+    save(room.path / "count.html", "<!DOCTYPE html><script>const boxes = " + boxes.dump() + "</script>" + images +
+                                       "<pre id=\"answer\"></pre>" + std::string(count_pixels));
+    const auto counted = answer_in(run(room.path, {patience, "--dump-dom", url(room.path / "count.html")}));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        seen_page& page = pages[shown[i]];
+        page.paper = counted.at(i).at("paper");
+        for (std::size_t j = 0; j < page.pictures.size(); ++j) {
+            page.pictures[j].ink = counted.at(i).at("pictures")[j].at("ink");
+            page.pictures[j].colours = counted.at(i).at("pictures")[j].at("colours");
+        }
+    }
+    return pages;
 }
 
 } // namespace eyes

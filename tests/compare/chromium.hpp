@@ -30,11 +30,17 @@ struct seen_page {
     double paper = 0;                   // brightness of the page's background, 0 to 1
 };
 
-// Opens the page in a view so many pixels wide and looks at it. Throws std::runtime_error if the browser fails or does
-// not answer in two minutes.
-[[nodiscard]] seen_page look_at(const std::string& html, int width, bool dark);
+// A page in a view so many pixels wide.
+struct view {
+    std::string html;
+    int width = 0;
+    bool dark = false;
+    bool pixels = true; // else ink, colours and paper stay 0
+};
 
-// The same with every <details> open and without looking at pixels: ink, colours and paper stay 0.
-[[nodiscard]] seen_page lay_out(const std::string& html, int width);
+// Opens the pages and looks at each. The browser starts rarely, since that takes it longest: once for all views in the
+// light and in the dark, once for each of which the pixels are wanted, and once to count these. Throws
+// std::runtime_error if it fails or does not answer in two minutes.
+[[nodiscard]] std::vector<seen_page> look_at(const std::vector<view>& views);
 
 } // namespace eyes

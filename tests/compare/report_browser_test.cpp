@@ -7,12 +7,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -54,10 +57,51 @@ void check_pictures(const eyes::seen_page& page) {
     }
 }
 
+// With every <details> open.
+[[nodiscard]] std::string open_report() {
+    std::string text = report();
+    constexpr std::string_view closed = "<details>", open = "<details open>";
+    for (std::size_t at = 0; (at = text.find(closed, at)) != std::string::npos; at += open.size()) {
+        text.replace(at, closed.size(), open);
+    }
+    return text;
+}
+
+// Without its pictures, with something wide and something that it refers to.
+[[nodiscard]] std::string broken_report() {
+    std::string broken = report();
+    for (std::size_t at = 0; (at = broken.find("<svg class=\"", at)) != std::string::npos;) {
+        const auto from = broken.find('>', at) + 1;
+        broken.erase(from, broken.find("</svg>", from) - from);
+        at = from;
+    }
+    broken.insert(broken.rfind("</main>"), "<div style=\"width: 500px\">wide</div><img src=\"file:///none.png\">");
+    return broken;
+}
+
+constexpr std::array layouts = {320, 390, 641, 1100, 1101}; // where the layout changes
+
+struct sights {
+    eyes::seen_page telephone, desk, broken;
+    std::vector<eyes::seen_page> open;
+};
+
+[[nodiscard]] const sights& seen() {
+    static const sights all = [] {
+        std::vector<eyes::view> views = {{report(), 390}, {report(), 1200, true}, {broken_report(), 390}};
+        for (const int width : layouts) {
+            views.push_back({open_report(), width, false, false});
+        }
+        const auto pages = eyes::look_at(views);
+        return sights{pages[0], pages[1], pages[2], {pages.begin() + 3, pages.end()}};
+    }();
+    return all;
+}
+
 } // namespace
 
 TEST_CASE("a telephone scrolls only downwards and shows every picture") {
-    const auto page = eyes::look_at(report(), 390, false);
+    const auto& page = seen().telephone;
     CHECK(page.width == 390);
     CHECK(page.needed_width <= 390);
     CHECK(page.too_wide.empty());
@@ -68,9 +112,11 @@ TEST_CASE("a telephone scrolls only downwards and shows every picture") {
 }
 
 TEST_CASE("tables fit too, wherever the layout changes") {
-    for (const int width : {320, 390, 641, 1100, 1101}) {
+    REQUIRE(seen().open.size() == layouts.size());
+    for (std::size_t i = 0; i < layouts.size(); ++i) {
+        const auto& page = seen().open[i];
+        const int width = layouts[i];
         CAPTURE(width);
-        const auto page = eyes::lay_out(report(), width);
         CHECK(page.width == width);
         CHECK(page.needed_width <= width);
         CHECK(page.too_wide == std::vector<std::string>());
@@ -78,21 +124,14 @@ TEST_CASE("tables fit too, wherever the layout changes") {
 }
 
 TEST_CASE("a desk in the dark") {
-    const auto page = eyes::look_at(report(), 1200, true);
+    const auto& page = seen().desk;
     CHECK(page.needed_width <= 1200);
     CHECK(page.paper < 0.2);
     check_pictures(page);
 }
 
 TEST_CASE("what is missing or too wide is noticed") {
-    std::string broken = report();
-    for (std::size_t at = 0; (at = broken.find("<svg class=\"", at)) != std::string::npos;) {
-        const auto from = broken.find('>', at) + 1;
-        broken.erase(from, broken.find("</svg>", from) - from);
-        at = from;
-    }
-    broken.insert(broken.rfind("</main>"), "<div style=\"width: 500px\">wide</div><img src=\"file:///none.png\">");
-    const auto page = eyes::look_at(broken, 390, false);
+    const auto& page = seen().broken;
     CHECK(page.needed_width > 390);
     CHECK_FALSE(page.too_wide.empty());
     CHECK(page.references == 1);
