@@ -1,6 +1,8 @@
 // Whether doubles round as error-free transforms need it: to nearest, once each, subnormals kept.
 #pragma once
 
+#include <graze/machine/fence.hpp>
+
 #include <cstdint>
 
 namespace graze::inline v0_1::detail {
@@ -15,22 +17,11 @@ inline constexpr bool has_error_free_doubles = true;
 inline constexpr bool has_error_free_doubles = false;
 #endif
 
-// x, but the compiler knows nothing of its value.
-[[nodiscard]] inline double unknown(double x) noexcept {
-#if defined(__GNUC__)
-    __asm__ volatile("" : "+m"(x));
-    return x;
-#else
-    volatile double y = x;
-    return y;
-#endif
-}
-
 // Whether the environment is right, by calculating: 1 + 2^-55 = 1 - 2^-55 only to nearest; and 2^-1023, the difference
 // of two normal numbers, is kept, so that twice it is 2^-1022.
 [[nodiscard]] inline bool calculates_to_nearest() noexcept {
-    const double one = unknown(1);
-    const double half_subnormal = unknown(0x1.8p-1022) - 0x1p-1022;
+    const double one = hidden(1);
+    const double half_subnormal = hidden(0x1.8p-1022) - 0x1p-1022;
     return (one + 0x1p-55 == one - 0x1p-55) & (half_subnormal + half_subnormal == 0x1p-1022);
 }
 
@@ -41,7 +32,7 @@ inline constexpr bool has_error_free_doubles = false;
 #if defined(__SSE2_MATH__)
     __asm__ volatile("" : "+x"(one));
 #else
-    one = unknown(one);
+    one = hidden(one);
 #endif
     return one - 0x1p-55 >= one + 0x1p-55; // for less than ==
 }
@@ -55,7 +46,7 @@ inline constexpr bool has_error_free_doubles = false;
     __asm__ volatile("mrs %0, fpcr" : "=r"(control));
     return (control & 0x1000001U) == 0; // FZ, FIZ
 #else
-    const double half_subnormal = unknown(0x1.8p-1022) - 0x1p-1022;
+    const double half_subnormal = hidden(0x1.8p-1022) - 0x1p-1022;
     return half_subnormal + half_subnormal == 0x1p-1022;
 #endif
 }

@@ -6,6 +6,8 @@
 // excludes -ffast-math as a whole, x87 registers and other rounding modes (machine/environment.hpp).
 #pragma once
 
+#include <graze/machine/fence.hpp>
+
 #include <type_traits>
 
 namespace graze::inline v0_1 {
@@ -24,28 +26,6 @@ inline constexpr bool has_fused_multiply_add = true;
 #else
 inline constexpr bool has_fused_multiply_add = false;
 #endif
-
-// x, as a barrier: the compiler fuses, reorders or simplifies nothing across it.
-template <class V>
-[[nodiscard, gnu::always_inline]] constexpr inline V settled(V x) noexcept {
-    if (std::is_constant_evaluated()) {
-        return x;
-    }
-#if defined(__clang__) && defined(__x86_64__)
-    __asm__("" : "+x"(x)); // __arithmetic_fence leaves products free to be fused
-    return x;
-#elif defined(__clang__) && defined(__aarch64__)
-    __asm__("" : "+w"(x));
-    return x;
-#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
-    return __builtin_assoc_barrier(x);
-#elif defined(__GNUC__)
-    __asm__("" : "+m"(x));
-    return x;
-#else
-    return x;
-#endif
-}
 
 // x y - p rounded once.
 [[nodiscard, gnu::always_inline]] inline double fused_residual(double x, double y, double p) noexcept {

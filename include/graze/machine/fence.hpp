@@ -1,4 +1,13 @@
-// Barriers: the compiler may not simplify across these values, whatever -ffast-math or contraction allows.
+// Optimisation barriers. Each gives its argument back; what a compiler may then no longer do stands beside it.
+//
+//   settled      fuse, reorder or simplify across x, under -fassociative-math and contraction too: error-free
+//   transforms as_stored    see more of x than memory would hold: a caller's expression, a register of more precision,
+//   a
+//                conversion to float that it has dropped
+//   opaque       know where these bits come from: a comparison of bits stays one of bits
+//   hidden       know the value of x: what a program asks of its floating-point environment is computed when it runs
+//   read_alone   read x together with its neighbour in memory
+//   all_hold     make several branches of one
 #pragma once
 
 #include <cstdint>
@@ -6,15 +15,23 @@
 
 namespace graze::inline v0_1::detail {
 
-// x. The compiler does not merge the expression that uses it with the expression that made it.
-[[nodiscard]] inline double fence(double x) noexcept {
-#if defined(__clang__) && (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__))
-    return __arithmetic_fence(x); // an error on clang's other targets, although __has_builtin knows it there
-#elif defined(__clang__) || defined(__GNUC__) && __GNUC__ < 12
+// x. The compiler fuses, reorders or simplifies nothing across it.
+template <class V>
+[[nodiscard, gnu::always_inline]] constexpr inline V settled(V x) noexcept {
+    if (std::is_constant_evaluated()) {
+        return x;
+    }
+#if defined(__clang__) && defined(__x86_64__)
+    __asm__("" : "+x"(x)); // __arithmetic_fence leaves products free to be fused
+    return x;
+#elif defined(__clang__) && defined(__aarch64__)
+    __asm__("" : "+w"(x));
+    return x;
+#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+    return __builtin_assoc_barrier(x);
+#elif defined(__GNUC__)
     __asm__("" : "+m"(x));
     return x;
-#elif defined(__GNUC__)
-    return __builtin_assoc_barrier(x);
 #else
     return x;
 #endif
@@ -56,6 +73,26 @@ template <class T>
         __asm__("" : "+r"(x));
 #endif
     }
+    return x;
+}
+
+// x, but the compiler knows nothing of its value.
+[[nodiscard]] inline double hidden(double x) noexcept {
+#if defined(__GNUC__)
+    __asm__ volatile("" : "+m"(x));
+    return x;
+#else
+    volatile double y = x;
+    return y;
+#endif
+}
+
+// x, read by itself. A compiler that sees its neighbour in memory would read both at once, and wait until both had been
+// written there one by one.
+[[nodiscard, gnu::always_inline]] inline double read_alone(double x) noexcept {
+#if defined(__GNUC__) && defined(__SSE2_MATH__)
+    __asm__("" : "+x"(x));
+#endif
     return x;
 }
 

@@ -1,6 +1,8 @@
 // Two doubles side by side, worked on together where the machine can.
 #pragma once
 
+#include <graze/machine/fence.hpp>
+
 #include <cmath>
 
 namespace graze::inline v0_1::detail {
@@ -30,15 +32,6 @@ struct lanes {
 #endif
 
 [[nodiscard, gnu::always_inline]] inline lanes both(double x) noexcept { return lanes{x, x}; }
-
-// x, read by itself. A compiler that sees its neighbour in memory would read both at once, and wait until both had been
-// written there one by one.
-[[nodiscard, gnu::always_inline]] inline double read_alone(double x) noexcept {
-#if defined(__GNUC__) && defined(__SSE2_MATH__)
-    __asm__("" : "+x"(x));
-#endif
-    return x;
-}
 
 // √x for x >= 0, without the check for x < 0 that std::sqrt makes to set errno.
 [[nodiscard, gnu::always_inline]] inline double plain_sqrt(double x) noexcept {

@@ -21,8 +21,8 @@ namespace graze::inline v0_1::detail {
                                              double error_speed, double error_length) noexcept {
     const double rate = std::fabs(speed);
     const double reach = r * length;
-    const double gap = fence(std::fabs(height) - reach);
-    const double time = fence(gap / rate);
+    const double gap = settled(std::fabs(height) - reach);
+    const double time = settled(gap / rate);
     const bool good = std::fabs(time * rate - gap) <= 0x1p-50 * gap && rate > 8 * error_speed && gap > 0;
     if (!good) {
         return {};
@@ -48,10 +48,10 @@ template <int N, class T>
 // its last step: 7/6 (error_c + t̂ error_root/ŝ)/d̂ + 2^-46 t̂.
 [[nodiscard]] inline enclosure enclose_root(double c, double h, double discriminant, double error_c, double error_h,
                                             double error_d) noexcept {
-    const double root = fence(plain_sqrt(discriminant));
+    const double root = settled(plain_sqrt(discriminant));
     const double error_root = error_d + error_h * root;
-    const double denominator = fence(root - h);
-    const double time = fence(root_stable{}(c, h, root));
+    const double denominator = settled(root - h);
+    const double time = settled(root_stable{}(c, h, root));
     if (!(discriminant > 8 * error_root && c > 0 && h < 0 &&
           std::fabs(root * root - discriminant) <= 0x1p-48 * discriminant &&
           std::fabs(time * denominator - c) <= 0x1p-48 * c)) {

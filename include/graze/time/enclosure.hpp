@@ -62,9 +62,9 @@ struct enclosure {
 // For c and d from lengths L and velocities V of a motion with L², V² > 2^-450 and L² V² < 2^570: D̂ > 2^-50 L² V², and
 // ŝ is within 2^-500 and 2^287.
 [[nodiscard]] inline enclosure enclose(double c, double h, double discriminant, double error) noexcept {
-    const double root = fence(plain_sqrt(discriminant));
-    const double denominator = fence(root - h);
-    const double time = fence(root_stable{}(c, h, root));
+    const double root = settled(plain_sqrt(discriminant));
+    const double denominator = settled(root - h);
+    const double time = settled(root_stable{}(c, h, root));
     if constexpr (!has_error_free_doubles) {
         if (!(std::fabs(root * root - discriminant) <= 0x1p-48 * discriminant &&
               std::fabs(time * denominator - c) <= 0x1p-48 * c)) {
@@ -79,10 +79,10 @@ struct enclosure {
 //   |τ - t̂| <= 7/6 (error_c + t̂ error_root/ŝ)/d̂ + 2^-46 t̂.
 [[nodiscard]] inline enclosure enclose_closely(double c, double h, double discriminant, double error_c, double error_h,
                                                double error_d) noexcept {
-    const double root = fence(plain_sqrt(discriminant));
+    const double root = settled(plain_sqrt(discriminant));
     const double error_root = error_d + 1.01 * error_h * root;
-    const double denominator = fence(root - h);
-    const double time = fence(root_stable{}(c, h, root));
+    const double denominator = settled(root - h);
+    const double time = settled(root_stable{}(c, h, root));
     if (!(8 * error_root < discriminant) ||
         !(has_error_free_doubles || (std::fabs(root * root - discriminant) <= 0x1p-48 * discriminant &&
                                      std::fabs(time * denominator - c) <= 0x1p-48 * c))) {
@@ -117,14 +117,14 @@ template <class Q>
     if (d.exponent % 2 != 0) {
         d = {2 * d.significand, d.exponent - 1};
     }
-    const double root = fence(std::sqrt(d.significand));
+    const double root = settled(std::sqrt(d.significand));
     if (!(std::fabs(root * root - d.significand) <= 0x1p-48 * d.significand)) {
         return {};
     }
     // Both terms of -h + √D at the exponent of -h, the larger one; what then underflows is negligible.
     const int down = d.exponent / 2 - g.exponent;
-    const double denominator = fence(g.significand + (down < -900 ? 0.0 : root * power_of_two(down)));
-    const double time = fence(c.significand / denominator);
+    const double denominator = settled(g.significand + (down < -900 ? 0.0 : root * power_of_two(down)));
+    const double time = settled(c.significand / denominator);
     const long power = static_cast<long>(c.exponent) - g.exponent + unit;
     if (!(std::fabs(time * denominator - c.significand) <= 0x1p-48 * c.significand) || power < -800 || power > 800) {
         return {};
