@@ -4,9 +4,9 @@
 // for every width that leads to one. Where that costs more than it brings, the width is known when running.
 #pragma once
 
+#include <graze/exact/digits.hpp>
 #include <graze/exact/integer.hpp>
 #include <graze/exact/workspace.hpp>
-#include <graze/machine/wide_multiply.hpp>
 #include <graze/number/traits.hpp>
 
 #include <cstdint>
@@ -34,26 +34,16 @@ class big_integer {
         if (significand == 0) {
             return {};
         }
-        const int bit = shift % 64; // 2^63 is not a digit, so that the power is taken in two factors
-        const auto half = multiply_add_balanced(significand, std::int64_t{1} << bit / 2, 0, 0);
-        const auto low = multiply_add_balanced(half.low, std::int64_t{1} << (bit - bit / 2), 0, 0);
         std::int64_t* const digit = w.take(2);
-        digit[0] = low.low;
-        digit[1] = half.high * (std::int64_t{1} << (bit - bit / 2)) + low.high;
+        write_shifted(digit, significand, shift % 64);
         return big_integer(&w, digit, 2, shift / 64, false);
     }
 
-    // From the two's complement in limbs, the lowest first: digits that are negative borrow from the next limb.
+    // From the two's complement in limbs, the lowest first.
     [[nodiscard, gnu::noinline]] static constexpr big_integer from_limbs(workspace& w, const std::uint64_t* limb,
                                                                          int count) noexcept {
         std::int64_t* const digit = w.take(count + 1);
-        const std::uint64_t extension = limb[count - 1] >> 63 != 0 ? ~std::uint64_t{0} : 0;
-        std::uint64_t borrowed = 0;
-        for (int i = 0; i <= count; ++i) {
-            const std::uint64_t next = (i < count ? limb[i] : extension) + borrowed;
-            borrowed = next < borrowed || next >> 63 != 0 ? 1 : 0;
-            digit[i] = static_cast<std::int64_t>(next);
-        }
+        write_limbs(digit, limb, count);
         return big_integer(&w, digit, count + 1, 0, false);
     }
 
@@ -79,9 +69,6 @@ class big_integer {
     [[nodiscard]] friend constexpr big_integer operator-(const big_integer& x, const big_integer& y) noexcept {
         return sum(x, y, true);
     }
-    [[nodiscard]] friend constexpr big_integer operator*(const big_integer& x, const big_integer& y) noexcept {
-        return product(x, y);
-    }
 
     // x + y, or x - y.
     [[nodiscard, gnu::noinline]] static constexpr big_integer sum(const big_integer& x, const big_integer& y,
@@ -89,7 +76,9 @@ class big_integer {
         if (x.count_ == 0 || y.count_ == 0) {
             return y.count_ == 0 ? x : subtract ? -y : y;
         }
-        const std::int64_t opposite = (x.negative_ != y.negative_) != subtract ? 1 : 0;
+        if (x.room_ == nullptr && y.room_ == nullptr) {
+            return constant(subtract ? x.small_value() - y.small_value() : x.small_value() + y.small_value());
+        }
         const bool first = x.low_ <= y.low_; // the sum is ±(lower ± upper)
         const big_integer& lower = first ? x : y;
         const big_integer& upper = first ? y : x;
@@ -97,47 +86,24 @@ class big_integer {
         const int shift = upper.low_ - lower.low_;
         const int end = upper.count_ + shift;
         const int count = lower.count_ > end ? lower.count_ : end;
-        if (are_constants(x, y)) {
-            return constant(subtract ? x.small_value() - y.small_value() : x.small_value() + y.small_value());
-        }
         workspace& w = *(x.room_ != nullptr ? x.room_ : y.room_);
         std::int64_t* const digit = w.take(count + 1);
-        int i = 0;
-        for (; i < shift; ++i) {
-            digit[i] = i < lower.count_ ? lower.digit_[i] : 0;
-        }
-        const int common = lower.count_ < end ? lower.count_ : end;
-        std::int64_t carry = 0;
-        const auto put = [&](std::int64_t a, std::int64_t b) { // -b is ~b + 1
-            const auto t = add_balanced(a, b ^ -opposite, carry + opposite);
-            digit[i] = t.low;
-            carry = t.high;
-        };
-        for (; i < common; ++i) {
-            put(lower.digit_[i], upper.digit_[i - shift]);
-        }
-        for (; i < end; ++i) {
-            put(0, upper.digit_[i - shift]);
-        }
-        for (; i < count; ++i) {
-            put(lower.digit_[i], 0);
-        }
-        digit[count] = carry;
+        write_sum(digit, lower.row(), upper.row(), shift, (x.negative_ != y.negative_) != subtract);
         return big_integer(&w, digit, count + 1, lower.low_, negative);
     }
 
-    [[nodiscard, gnu::noinline]] static constexpr big_integer product(const big_integer& x,
-                                                                      const big_integer& y) noexcept {
+    [[nodiscard, gnu::noinline]] friend constexpr big_integer operator*(const big_integer& x,
+                                                                        const big_integer& y) noexcept {
         if (x.count_ == 0 || y.count_ == 0) {
             return {};
         }
-        if (are_constants(x, y)) {
+        if (x.room_ == nullptr && y.room_ == nullptr) {
             return constant(x.small_value() * y.small_value());
         }
         workspace& w = *(x.room_ != nullptr ? x.room_ : y.room_);
         const int count = x.count_ + y.count_;
         std::int64_t* const digit = w.take(count);
-        write_product(digit, x, y);
+        write_product(digit, x.row(), y.row());
         return big_integer(&w, digit, count, x.low_ + y.low_, x.negative_ != y.negative_);
     }
 
@@ -180,23 +146,11 @@ class big_integer {
             sum[i] = 0;
         }
         for (int k = 0; k < count; ++k) {
-            const bool wide_x = terms[k].x->count_ > terms[k].y->count_;
-            const big_integer& x = wide_x ? *terms[k].y : *terms[k].x;
-            const big_integer& y = wide_x ? *terms[k].x : *terms[k].y;
-            if (x.count_ == 0) {
-                continue; // a zero stands nowhere
-            }
+            const big_integer& x = *terms[k].x;
+            const big_integer& y = *terms[k].y;
             const bool minus = (x.negative_ != y.negative_) != terms[k].subtracted;
-            std::int64_t* row = sum + (x.low_ + y.low_ - low);
-            for (int i = 0; i < x.count_; ++i, ++row) {
-                if (const std::int64_t factor = x.digit_[i]; factor != 0) {
-                    std::int64_t carry = add_row(row, factor, y, minus);
-                    for (std::int64_t* above = row + y.count_; carry != 0; ++above) {
-                        const auto t = add_balanced(*above, 0, carry);
-                        *above = t.low;
-                        carry = t.high;
-                    }
-                }
+            if (x.count_ != 0 && y.count_ != 0) { // a zero stands nowhere
+                add_product(sum + (x.low_ + y.low_ - low), x.row(), y.row(), minus);
             }
         }
         return big_integer(room, sum, size, low, false);
@@ -224,9 +178,6 @@ class big_integer {
         negative_ = negative;
     }
 
-    [[nodiscard]] static constexpr bool are_constants(const big_integer& x, const big_integer& y) noexcept {
-        return x.room_ == nullptr && y.room_ == nullptr;
-    }
     [[nodiscard]] static constexpr big_integer constant(int value) noexcept {
         if (value < -4 || value > 4) {
             std::terminate(); // no formula does so
@@ -237,33 +188,7 @@ class big_integer {
         return count_ == 0 ? 0 : static_cast<int>(negative_ ? -digit_[0] : digit_[0]);
     }
 
-    // Writes the digits of x y, as many as the factors have together.
-    static constexpr void write_product(std::int64_t* digit, const big_integer& a, const big_integer& b) noexcept {
-        const big_integer& x = a.count_ < b.count_ ? a : b; // fewer and longer rows
-        const big_integer& y = a.count_ < b.count_ ? b : a;
-        std::int64_t carry = 0;
-        for (int j = 0; j < y.count_; ++j) {
-            const auto t = multiply_add_balanced(x.digit_[0], y.digit_[j], 0, carry);
-            digit[j] = t.low;
-            carry = t.high;
-        }
-        digit[y.count_] = carry;
-        for (int i = 1; i < x.count_; ++i) {
-            digit[i + y.count_] = x.digit_[i] != 0 ? add_row(digit + i, x.digit_[i], y, false) : 0;
-        }
-    }
-
-    // Adds ±factor · y to the digits that stand there and returns what is left for the next one.
-    [[nodiscard]] static constexpr std::int64_t add_row(std::int64_t* row, std::int64_t factor, const big_integer& y,
-                                                        bool minus) noexcept {
-        std::int64_t carry = 0;
-        for (int j = 0; j < y.count_; ++j) {
-            const auto t = multiply_add_balanced(factor, y.digit_[j], row[j], carry, minus);
-            row[j] = t.low;
-            carry = t.high;
-        }
-        return carry;
-    }
+    [[nodiscard]] constexpr digit_row row() const noexcept { return {digit_, count_}; }
 
     static constexpr std::int64_t small[5] = {0, 1, 2, 3, 4};
 
