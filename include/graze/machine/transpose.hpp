@@ -61,9 +61,11 @@ template <class T, int Lanes, class Row>
         columns[first + 3] = lane::of(__builtin_shufflevector(xy23, zw23, 2, 3, 10, 11, 6, 7, 14, 15));
     } else
 #endif
+    {
         for (int j = first; j < first + chunk; ++j) {
             columns[j] = lane::made([&](int k) __attribute__((always_inline)) { return row_at(k)[j]; });
         }
+    }
 }
 
 #undef GRAZE_DETAIL_SHUFFLES
