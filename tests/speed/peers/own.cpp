@@ -27,7 +27,8 @@ class graze_contestant final : public contestant {
         }
         std::optional<double> first; // rounding keeps the order: the first of the rounded times is the rounded first
         for (const auto& w : s.walls) {
-            if (const auto time = graze::time_of_impact(s.a, w)) {
+            const auto time = graze::time_of_impact(s.a, w);
+            if (time && !(first && time->enclosure().lower() > *first)) {
                 const auto rounded = static_cast<double>(*time);
                 first = first ? std::min(*first, rounded) : rounded;
             }
