@@ -59,8 +59,9 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
     s.answered += fused && dekker ? 1 : 0;
     graze::contact<N, T> x;
     graze::detail::rounded_components<N, T> rounded{x};
-    const graze::detail::contact_by_doubles<graze::detail::rounded_components<N, T>, graze::ball<N, T>> task{
-        rounded, a, b, mass_a, mass_b, time, overlap};
+    using taker = graze::detail::rounded_components<N, T>;
+    const graze::detail::hit_by_doubles<taker, graze::ball<N, T>> hit{rounded, a, b, mass_a, mass_b, time};
+    const graze::detail::overlap_by_doubles<taker, graze::ball<N, T>> both_inside{rounded, a, b, mass_a, mass_b};
     const auto judge = [&](parts open_parts) {
         for (int number = 0; number < static_cast<int>(components); ++number) {
             if ((open_parts >> number & 1U) == 0 && (number == 0 || (number - 1) % 3 < N)) {
@@ -72,7 +73,7 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
     if (!heavy_a && !heavy_b) {
         const auto open = [&](auto fused_products) {
             rounded.certain = 0;
-            return task(fused_products) ? ~rounded.certain : ~parts{0};
+            return (overlap ? both_inside(fused_products) : hit(fused_products)) ? ~rounded.certain : ~parts{0};
         };
         judge(open(std::false_type{}));
         judge(open(std::true_type{}));

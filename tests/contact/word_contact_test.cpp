@@ -47,6 +47,9 @@ kept in_words(const B& a, const B& b, double mass_a, double mass_b) {
             }
         }();
         k.what = answer.what;
+        if (k.what == static_cast<int>(graze::encounter::overlap)) {
+            (void)graze::detail::overlap_by_doubles<kept, B>{k, x, y, mass_a, mass_b}(std::bool_constant<Fused>{});
+        }
         return answer.in_range;
     };
     if (!graze::detail::has_usual_size(a, b) || !run(a, b)) {
@@ -210,6 +213,7 @@ TEST_CASE("the widest stage of a time and of a contact") {
     expect(stage::refined, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1), rest);
     expect(stage::refined, stage::double_word, at(0x1p20, 2 + 0x1p-20, -1), rest);
     expect(stage::double_word, stage::double_word, at(0x1p49, 2 - 0x1p-6, -1), rest); // beyond doubles
+    expect(stage::double_word, stage::double_word, at(5.3, 2 - 0x1p-48, -1.1), rest); // D is 2^-49 of its terms
     expect(stage::filter, stage::filter, at(5, 0.3, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
     expect(stage::double_word, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
     expect(stage::exact, stage::exact, at(5, 2, -1), rest); // a tie

@@ -81,18 +81,36 @@ struct rounded_components {
 // Takes what doubles bound, of a hit near `time` from the start or of an overlap, whose time and, of balls, positions
 // the caller sets. False if nothing is known.
 template <class Taker, moving B>
-struct contact_by_doubles {
+struct hit_by_doubles {
     Taker& taken;
     const B &a, &b;
     double mass_a, mass_b, time;
-    bool overlap;
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] bool operator()(std::bool_constant<Fused>) const noexcept {
-        return overlap ? bound_overlap<Fused>(a, b, mass_a, mass_b, taken)
-                       : bound_hit<Fused>(a, b, mass_a, mass_b, time, taken);
+        return bound_hit<Fused>(a, b, mass_a, mass_b, time, taken);
     }
 };
+template <class Taker, moving B>
+struct overlap_by_doubles {
+    Taker& taken;
+    const B &a, &b;
+    double mass_a, mass_b;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] bool operator()(std::bool_constant<Fused>) const noexcept {
+        return bound_overlap<Fused>(a, b, mass_a, mass_b, taken);
+    }
+};
+// A hit is left to double words where products are not fused.
+template <class Taker, moving B>
+[[nodiscard, gnu::always_inline]] inline bool contact_by_doubles(Taker& taken, encounter what, const B& a, const B& b,
+                                                                 double mass_a, double mass_b, double time) noexcept {
+    if (what == encounter::overlap) {
+        return with_best_products(overlap_by_doubles<Taker, B>{taken, a, b, mass_a, mass_b});
+    }
+    return with_fused_products(hit_by_doubles<Taker, B>{taken, a, b, mass_a, mass_b, time}, false);
+}
 
 // All components of a contact in N dimensions; and three of one vector.
 template <int N>
@@ -160,8 +178,7 @@ template <int N, class T, moving B>
 [[nodiscard, gnu::noinline]] parts fast_contact(contact<N, T>& c, encounter what, const B& a, const B& b, double mass_a,
                                                 double mass_b, double time) noexcept {
     rounded_components<N, T> taken{c};
-    const bool known = with_best_products(
-        contact_by_doubles<rounded_components<N, T>, B>{taken, a, b, mass_a, mass_b, time, what == encounter::overlap});
+    const bool known = contact_by_doubles(taken, what, a, b, mass_a, mass_b, time);
     return open_after(known ? taken.certain : 0, c, what, a, b, mass_a, mass_b);
 }
 

@@ -72,13 +72,26 @@ template <moving B>
             contact<dimension_of<B>, double> found;
             rounded_components<dimension_of<B>, double> taken{found};
             const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
-            if (with_best_products(contact_by_doubles<rounded_components<dimension_of<B>, double>, B>{
-                    taken, s.a, s.b, mass_a, mass_b, near, f.what() == encounter::overlap})) {
+            if (contact_by_doubles(taken, f.what(), s.a, s.b, mass_a, mass_b, near)) {
                 r.certain = scale_back(c, taken, all_parts, s.length, s.velocity);
             }
         }
     }
     return r;
+}
+
+// Takes what words bound of a hit, and doubles of an overlap.
+template <class Taker, moving B>
+[[nodiscard, gnu::always_inline]] inline words_of_contact take_by_words(Taker& taken, const B& a, const B& b,
+                                                                        double mass_a, double mass_b) noexcept {
+    const auto& first = as_flight(a);
+    const auto& second = as_flight(b);
+    const words_of_contact w =
+        with_best_products(contact_in_words<Taker, dimension_of<B>>{taken, first, second, mass_a, mass_b});
+    if (w.what == static_cast<int>(encounter::overlap)) {
+        (void)contact_by_doubles(taken, encounter::overlap, a, b, mass_a, mass_b, 0);
+    }
+    return w;
 }
 
 // In words: writes those of the wanted components that are certain. Of movers whose radii are not negative.
@@ -95,8 +108,7 @@ template <int N, class T, moving B>
         if (has_usual_size(a, b)) {
             contact<N, T> found;
             rounded_components<N, T> taken{wanted == all_parts ? c : found};
-            const auto w = with_best_products(
-                contact_in_words<rounded_components<N, T>, N>{taken, as_flight(a), as_flight(b), mass_a, mass_b});
+            const auto w = take_by_words(taken, a, b, mass_a, mass_b);
             r.what = w.what;
             r.certain = wanted & taken.certain;
             if (wanted != all_parts) {
@@ -113,9 +125,7 @@ template <int N, class T, moving B>
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
                 contact<N, double> found;
                 rounded_components<N, double> taken{found};
-                r.what = with_best_products(contact_in_words<rounded_components<N, double>, N>{
-                                                taken, as_flight(s.a), as_flight(s.b), mass_a, mass_b})
-                             .what;
+                r.what = take_by_words(taken, s.a, s.b, mass_a, mass_b).what;
                 r.certain = scale_back(c, taken, wanted, s.length, s.velocity);
             }
         }

@@ -30,64 +30,61 @@ struct separation_bounds {
     }();
 };
 
-// How long one of two movers has been on its way, high + low.
+// How long each of two movers has been on its way, high + low, side by side: before + time, `before` of the earlier
+// one.
 template <bool Fused>
-struct word_time {
-    factor<double, Fused> high;
-    double low;
-    double error;
-};
-template <bool Fused>
-[[nodiscard, gnu::always_inline]] inline word_time<Fused> time_since(const exact_pair<double>& before,
-                                                                     const bounded<double>& time) noexcept {
-    const auto sum = two_sum(before.value, time.high);
-    return {as_factor<Fused>(sum.value), sum.error + (before.error + time.low),
-            1.01 * time.error + 0x1p-103 * absolute(sum.value)};
-}
-// Of both. before: how long before the start each has started.
-template <bool Fused, moving B>
 struct word_times {
-    word_time<Fused> of_a, of_b;
+    factor<lanes, Fused> high;
+    lanes low, error;
 
-    [[gnu::always_inline]] word_times(const B& a, const B& b, const bounded<double>& time) noexcept {
-        if constexpr (is_flight<B>) {
-            const auto lead = two_difference(as_stored(b.since), as_stored(a.since));
-            const exact_pair<double> none{0, 0};
-            const bool a_first = lead.value > 0;
-            of_a = time_since<Fused>(a_first ? lead : none, time);
-            of_b = time_since<Fused>(a_first ? none : exact_pair<double>{-lead.value, -lead.error}, time);
-        } else {
-            of_a = of_b = {as_factor<Fused>(time.high), time.low, time.error};
-        }
+    [[gnu::always_inline]] word_times(const lanes& before, const lanes& before_low,
+                                      const bounded<double>& time) noexcept {
+        const auto sum = two_sum(before, both(time.high));
+        high = as_factor<Fused>(sum.value);
+        low = sum.error + (before_low + both(time.low));
+        error = both(1.01 * time.error) + 0x1p-103 * absolute(sum.value);
     }
 };
+template <bool Fused, moving B>
+[[nodiscard, gnu::always_inline]] inline word_times<Fused> times_of(const B& a, const B& b,
+                                                                    const bounded<double>& time) noexcept {
+    const lanes none{0, 0};
+    if constexpr (is_flight<B>) {
+        const auto lead = two_difference(as_stored(b.since), as_stored(a.since));
+        return lead.value > 0 ? word_times<Fused>(lanes{lead.value, 0}, lanes{lead.error, 0}, time)
+                              : word_times<Fused>(lanes{0, -lead.value}, lanes{0, -lead.error}, time);
+    } else {
+        return word_times<Fused>(none, none, time);
+    }
+}
 
-// Where both are; each from its own time, or from where the other is and y if that is known better.
+// Where both are, side by side; each from its own time, or from where the other is and y if that is known better.
 template <bool Fused, moving B, int N, class F>
 [[gnu::always_inline]] inline void bound_positions(const B& a, const B& b, const bounded<double>& time,
                                                    const vec<N, loose_word<Fused>>& y, double y_error,
                                                    F& take) noexcept {
-    const word_times<Fused, B> times(a, b, time);
-    const auto by_itself = [&](double x, double u, const word_time<Fused>& t) __attribute__((always_inline)) {
-        const auto p = position_in_parts(x, u, t.high, t.low);
-        return bounded<double>{p.value, p.error, 0x1p-104 * absolute(x) + 1.25 * absolute(u) * t.error};
-    };
-    const auto by_other = [&](const bounded<double>& x, double high, double low) __attribute__((always_inline)) {
-        const auto sum = two_sum(x.high, high);
-        return bounded<double>{sum.value, settled(sum.error + (x.low + low)),
-                               x.error + y_error + 0x1p-102 * (absolute(x.high) + absolute(high))};
-    };
+    const word_times<Fused> times = times_of<Fused>(a, b, time);
+    const auto& p = state_of(a);
+    const auto& q = state_of(b);
     for (int i = 0; i < N; ++i) {
-        const auto p = by_itself(state_of(a).position[i], state_of(a).velocity[i], times.of_a);
-        const auto q = by_itself(state_of(b).position[i], state_of(b).velocity[i], times.of_b);
-        const auto p_from_q = by_other(q, y[i].high, y[i].low);
-        const auto q_from_p = by_other(p, -y[i].high, -y[i].low);
-        auto first = p_from_q.error < p.error ? p_from_q : p;
-        auto second = q_from_p.error < q.error ? q_from_p : q;
-        first.error += underflow;
-        second.error += underflow;
-        take(first, 1 + i);
-        take(second, 4 + i);
+        const lanes x{p.position[i], q.position[i]};
+        const lanes u{p.velocity[i], q.velocity[i]};
+        const auto own = position_in_parts(x, u, times.high, times.low);
+        const lanes own_error = 0x1p-104 * absolute(x) + 1.25 * absolute(u) * times.error;
+        const lanes between{y[i].high, -y[i].high};
+        const lanes others = picked(own.value, 1, 0);
+        const auto sum = two_sum(others, between);
+        const lanes low = sum.error + (picked(own.error, 1, 0) + lanes{y[i].low, -y[i].low});
+        const lanes error =
+            picked(own_error, 1, 0) + (0x1p-102 * (absolute(others) + absolute(between)) + both(y_error));
+        const bool first = error[0] < own_error[0];
+        const bool second = error[1] < own_error[1];
+        const auto better = [&](const lanes& other, const lanes& mine) __attribute__((always_inline)) {
+            return lanes{first ? other[0] : mine[0], second ? other[1] : mine[1]};
+        };
+        take(bounded<lanes>{better(sum.value, own.value), better(low, own.error),
+                            better(error, own_error) + both(underflow)},
+             1 + i, 4 + i);
     }
 }
 
@@ -143,7 +140,7 @@ struct words_of_contact {
     int what;
     bool in_range;
 };
-// Takes the components of a hit; of an overlap all but the time.
+// Takes the components of a hit.
 template <class Taker, int N>
 struct contact_in_words {
     Taker& taken;
@@ -152,13 +149,13 @@ struct contact_in_words {
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] words_of_contact operator()(std::bool_constant<Fused>) const noexcept {
-        const word_approach<Fused, flight<N, double>> w(a, b);
-        if (w.what == static_cast<int>(encounter::hit)) {
-            if (w.good && is_usable_mass(mass_a) && is_usable_mass(mass_b)) {
-                bound_word_contact<Fused>(w, a, b, mass_a, mass_b, taken);
-            }
-        } else if (w.what == static_cast<int>(encounter::overlap)) {
-            (void)bound_overlap<Fused>(a, b, mass_a, mass_b, taken);
+        word_approach<Fused, flight<N, double>> w(a, b);
+        const bool is_hit = w.what == static_cast<int>(encounter::hit);
+        if (is_hit) {
+            w.sharpen_root();
+        }
+        if (is_hit && w.good && is_usable_mass(mass_a) && is_usable_mass(mass_b)) {
+            bound_word_contact<Fused>(w, a, b, mass_a, mass_b, taken);
         }
         return {w.what, w.in_range};
     }

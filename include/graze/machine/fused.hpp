@@ -34,4 +34,15 @@ template <class F>
 #endif
 }
 
+// The same of what a further stage can do as well: `otherwise` on a machine that turns out not to have the instruction,
+// which spares every unit the code for such machines.
+template <class F, class R>
+[[nodiscard, gnu::always_inline]] inline R with_fused_products(const F& f, [[maybe_unused]] const R& otherwise) {
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__)
+    return __builtin_cpu_supports("fma") ? run_fused<F>(f) : otherwise;
+#else
+    return f(std::bool_constant<has_fused_multiply_add>{});
+#endif
+}
+
 } // namespace graze::inline v0_1::detail

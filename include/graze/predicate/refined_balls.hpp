@@ -56,18 +56,21 @@ template <class In, moving B, class F>
     };
     const auto& x = state_of(a);
     const auto& y = state_of(b);
-    const relative_motion m{difference(x.position, y.position), difference(x.velocity, y.velocity),
-                            In::sum(as_stored(x.radius), as_stored(y.radius))};
+    relative_motion m{difference(x.position, y.position), difference(x.velocity, y.velocity),
+                      In::sum(as_stored(x.radius), as_stored(y.radius))};
+    auto size = size_of(m);
+    bool in_range = true;
     if constexpr (is_flight<B>) {
         const auto lead = In::difference(as_stored(b.since), as_stored(a.since));
-        const double leading = leading_double(lead);
-        const auto& u = leading > 0 ? x.velocity : y.velocity;
-        const auto moving_at = make_vec<N>([&](int i) { return In::given(as_stored(u[i])); });
-        return use(with_lead(m, moving_at, lead), with_lead(size_of(m), size_of(moving_at), size_of(lead)),
-                   leading == 0 || within_powers<-900, 100>(std::fabs(leading)));
-    } else {
-        return use(m, size_of(m), true);
+        if (const double leading = leading_double(lead); leading != 0) {
+            const auto& u = leading > 0 ? x.velocity : y.velocity;
+            const auto moving_at = make_vec<N>([&](int i) { return In::given(as_stored(u[i])); });
+            m = with_lead(m, moving_at, lead);
+            size = with_lead(size, size_of(moving_at), size_of(lead));
+            in_range = within_powers<-900, 100>(std::fabs(leading));
+        }
     }
+    return use(m, size, in_range);
 }
 
 // Of floats, whose subnormals are not read as zeros.

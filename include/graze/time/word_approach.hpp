@@ -6,6 +6,7 @@
 
 #include <graze/machine/accurate_sum.hpp>
 #include <graze/predicate/refined_balls.hpp>
+#include <graze/time/sharp_discriminant.hpp>
 
 #include <cmath>
 
@@ -115,6 +116,7 @@ struct word_approach {
     double length2 = 0;
     bool in_range = false;
     bool good = false; // whether errors of root and time are known
+    bool nearly_grazes = false;
     int what = undecided;
 
     [[gnu::always_inline]] word_approach(const B& x, const B& y) noexcept {
@@ -139,11 +141,35 @@ struct word_approach {
         what = decide();
     }
 
+    // Of a hit: √D from more digits of D, if words keep fewer of it than a velocity is rounded from. What the time is
+    // off by for √D hardly matters to it.
+    [[gnu::always_inline]] void sharpen_root() noexcept {
+        if (nearly_grazes) {
+            const auto pair = [](const word& x) { return exact_pair<double>{x.high, x.low}; };
+            const auto pairs = [&](const vec<N, word>& x) { return make_vec<N>([&](int i) { return pair(x[i]); }); };
+            const motion_in_words<N> m{pairs(motion.dx), pairs(motion.du), pair(motion.R)};
+            const sharp_number d = with_fused_products(sharp_discriminant<N>{&m}, sharp_number{});
+            if (d.value.value > 0) {
+                const word_root<Fused> found(word(d.value), d.error + lost_of_d);
+                root = found.value;
+                root_error = found.error;
+                good = is_good();
+            }
+        }
+    }
+
   private:
+    double lost_of_d = 0;         // by underflow
+    double denominator_error = 0; // of -h + √D
+
+    [[nodiscard, gnu::always_inline]] bool is_good() const noexcept {
+        return 16 * std::max(root_error, denominator_error) < root.high;
+    }
     [[nodiscard, gnu::always_inline]] int decide() noexcept {
         const sized_movers<of_words, B, word> sized(motion, size, in_range);
         in_range = sized.in_range();
         length2 = sized.length2;
+        lost_of_d = sized.lost;
         if (!in_range) {
             return undecided;
         }
@@ -175,6 +201,7 @@ struct word_approach {
         const word_root<Fused> found(d, d_error);
         root = found.value;
         root_error = found.error;
+        nearly_grazes = off == 0 && d.high < 0x1p-38 * terms;
         find_time(h, c);
         return static_cast<int>(encounter::hit);
     }
@@ -190,9 +217,9 @@ struct word_approach {
         const double residual =
             settled(settled(c.value.high - back.value) - back.error) + settled(c.value.low - near * denominator.low);
         time = word(fast_two_sum(near, settled(residual * inverse)));
-        const double denominator_error = root_error + h.error + 0x1p-102 * denominator.high;
+        denominator_error = root_error + h.error + 0x1p-102 * denominator.high;
         time_error = 1.25 * ((c.error + near * denominator_error) * inverse) + 0x1p-98 * near;
-        good = 16 * std::max(root_error, denominator_error) < root.high;
+        good = is_good();
     }
 
     // c of movers that nearly touch.
