@@ -7,8 +7,9 @@
 #include <stdexcept>
 
 int main(int argc, char**) {
-    bool right =
-        asked_with_exceptions(3) == graze::encounter::graze && asked_without_exceptions(3) == graze::encounter::graze;
+    bool right = asked_with_exceptions(3) == graze::encounter::graze &&
+                 asked_without_exceptions(3) == graze::encounter::graze && tried_with_exceptions() &&
+                 tried_without_exceptions();
     try {
         (void)asked_with_exceptions(-1);
         right = false;

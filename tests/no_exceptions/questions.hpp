@@ -6,3 +6,7 @@
 // The radius is bad if it is negative.
 graze::encounter asked_with_exceptions(double radius);
 graze::encounter asked_without_exceptions(double radius);
+
+// Whether all try_ procedures say what they should.
+bool tried_with_exceptions();
+bool tried_without_exceptions();

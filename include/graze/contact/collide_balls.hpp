@@ -23,8 +23,9 @@ template <moving B>
 }
 template <moving B>
 constexpr void check_masses_of(const B& a, const B& b) {
-    check_masses(state_of(a).mass, state_of(b).mass, is_flight<B> ? "flight a" : "ball a",
-                 is_flight<B> ? "flight b" : "ball b");
+    if (!is_plain_mass(state_of(a).mass) || !is_plain_mass(state_of(b).mass)) [[unlikely]] {
+        inspect_masses(a, b, rejecting{name_of_a<B>}, rejecting{name_of_b<B>});
+    }
 }
 
 // Components that doubles have left open, of a hit or an overlap, by words and integers. Returns the stage.

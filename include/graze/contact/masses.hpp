@@ -2,8 +2,8 @@
 #pragma once
 
 #include <graze/exact/binary.hpp>
-#include <graze/machine/failure.hpp>
 #include <graze/pair/input_check.hpp>
+#include <graze/pair/moving.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -17,24 +17,20 @@ namespace graze::inline v0_1::detail {
 [[nodiscard]] constexpr bool is_infinite_mass(const double& x) noexcept { return bits_of(x) == 0x7ff0000000000000U; }
 [[nodiscard]] constexpr bool is_infinite_mass(const float& x) noexcept { return bits_of(x) == 0x7f800000U; }
 
-// Never constexpr, as reject.
-[[noreturn]] inline void reject_infinite_masses(const char* a, const char* b) {
-    fail<std::domain_error>(std::string(b) + ": mass is infinite, as that of " + a + " is");
-}
-
-template <class T>
-constexpr void check_masses(const T& a, const T& b, const char* name_a = "ball a", const char* name_b = "ball b") {
-    if (is_plain_mass(a) && is_plain_mass(b)) [[likely]] {
-        return;
+// Tells what is wrong with the masses of two that meet.
+template <moving B, class Tell>
+constexpr void inspect_masses(const B& a, const B& b, Tell tell_of_a, Tell tell_of_b) {
+    const auto& mass_a = state_of(a).mass;
+    const auto& mass_b = state_of(b).mass;
+    if (!is_plain_mass(mass_a) && !is_infinite_mass(mass_a)) {
+        tell_of_a("mass", "mass is not positive");
     }
-    if (!is_plain_mass(a) && !is_infinite_mass(a)) {
-        reject(name_a, "mass is not positive");
+    if (!is_plain_mass(mass_b) && !is_infinite_mass(mass_b)) {
+        tell_of_b("mass", "mass is not positive");
     }
-    if (!is_plain_mass(b) && !is_infinite_mass(b)) {
-        reject(name_b, "mass is not positive");
-    }
-    if (is_infinite_mass(a) && is_infinite_mass(b)) {
-        reject_infinite_masses(name_a, name_b);
+    if (is_infinite_mass(mass_a) && is_infinite_mass(mass_b)) {
+        tell_of_b("mass",
+                  is_flight<B> ? "mass is infinite, as that of flight a is" : "mass is infinite, as that of ball a is");
     }
 }
 

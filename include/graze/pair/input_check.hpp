@@ -3,12 +3,29 @@
 
 #include <graze/exact/binary.hpp>
 #include <graze/machine/failure.hpp>
+#include <graze/pair/moving.hpp>
 #include <graze/shape/ball.hpp>
+#include <graze/shape/flight.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <string>
+
+namespace graze::inline v0_1 {
+
+// What is wrong with an input: of which argument ("ball a"), of which of its fields ("radius"), and what ("radius is
+// negative"). All three are literals.
+struct input_error {
+    const char* argument = nullptr;
+    const char* field = nullptr;
+    const char* what = nullptr;
+
+    // As the exception says it: "ball a: radius is negative".
+    [[nodiscard]] std::string message() const { return std::string(argument) + ": " + what; }
+};
+
+} // namespace graze::inline v0_1
 
 namespace graze::inline v0_1::detail {
 
@@ -16,6 +33,28 @@ namespace graze::inline v0_1::detail {
 [[noreturn]] inline void reject(const char* argument, const char* what) {
     fail<std::domain_error>(std::string(argument) + ": " + what);
 }
+
+// What is done with what is wrong: it is rejected, where the compiler shows these arguments of a constant expression;
+// or the first is kept.
+struct rejecting {
+    const char* argument;
+
+    constexpr void operator()(const char* /*field*/, const char* what) const {
+        if (what != nullptr) { // always
+            reject(argument, what);
+        }
+    }
+};
+struct keeping_first {
+    const char* argument;
+    input_error* first;
+
+    constexpr void operator()(const char* field, const char* what) const noexcept {
+        if (first->what == nullptr) {
+            *first = {argument, field, what};
+        }
+    }
+};
 
 // Whether neither radius has its sign set, by their bits; -0 says no and is then looked at more closely.
 [[nodiscard]] constexpr bool plain_radii(const double& r, const double& s) noexcept {
@@ -40,25 +79,6 @@ template <int N, class T>
 }
 
 template <int N, class T>
-constexpr void require_finite(const vec<N, T>& x, const char* argument, const char* what) {
-    if (!is_finite(x)) {
-        reject(argument, what);
-    }
-}
-
-template <int N, class T>
-constexpr void check(const ball<N, T>& b, const char* argument) {
-    require_finite(b.position, argument, "position is not finite");
-    require_finite(b.velocity, argument, "velocity is not finite");
-    if (!is_finite_input(b.radius)) {
-        reject(argument, "radius is not finite");
-    }
-    if (to_binary(b.radius).significand < 0) {
-        reject(argument, "radius is negative");
-    }
-}
-
-template <int N, class T>
 [[nodiscard]] constexpr bool is_zero(const vec<N, T>& x) noexcept {
     for (int i = 0; i < N; ++i) {
         if (!is_zero(x[i])) {
@@ -80,34 +100,72 @@ template <int N, class T>
     return true;
 }
 
-template <int N, class T>
-constexpr void check(const plane<N, T>& p, const char* argument) {
-    require_finite(p.point, argument, "point is not finite");
-    require_finite(p.normal, argument, "normal is not finite");
-    if (is_zero(p.normal)) {
-        reject(argument, "normal is zero");
+// Tells what is wrong with a shape's values, in the order of its fields.
+template <int N, class T, class Tell>
+constexpr void inspect(const ball<N, T>& b, Tell tell) {
+    if (!is_finite(b.position)) {
+        tell("position", "position is not finite");
+    }
+    if (!is_finite(b.velocity)) {
+        tell("velocity", "velocity is not finite");
+    }
+    if (!is_finite_input(b.radius)) {
+        tell("radius", "radius is not finite");
+    }
+    if (split(b.radius).significand < 0) {
+        tell("radius", "radius is negative");
     }
 }
-
-// All but whether edges are parallel, which is a formula's sign.
-template <class Edged>
-constexpr void check_edges(const Edged& x, const char* argument) {
-    require_finite(x.corner, argument, "corner is not finite");
+template <int N, class T, class Tell>
+constexpr void inspect(const flight<N, T>& f, Tell tell) {
+    inspect(f.state, tell);
+    if (!is_finite_input(f.since)) {
+        tell("since", "since is not finite");
+    }
+}
+template <int N, class T, class Tell>
+constexpr void inspect(const plane<N, T>& p, Tell tell) {
+    if (!is_finite(p.point)) {
+        tell("point", "point is not finite");
+    }
+    if (!is_finite(p.normal)) {
+        tell("normal", "normal is not finite");
+    }
+    if (is_zero(p.normal)) {
+        tell("normal", "normal is zero");
+    }
+}
+// Of a wall or a triangle, all but whether edges are parallel, which is a formula's sign.
+template <class Edged, class Tell>
+requires requires(const Edged& x) { x.edge; }
+constexpr void inspect(const Edged& x, Tell tell) {
+    if (!is_finite(x.corner)) {
+        tell("corner", "corner is not finite");
+    }
     for (const auto& e : x.edge) {
-        require_finite(e, argument, "edge is not finite");
+        if (!is_finite(e)) {
+            tell("edge", "edge is not finite");
+        }
         if (is_zero(e)) {
-            reject(argument, "edge is zero");
+            tell("edge", "edge is zero");
         }
     }
 }
-template <int N, class T>
-constexpr void check(const wall<N, T>& w, const char* argument) {
-    check_edges(w, argument);
+template <class Tell>
+constexpr void tell_parallel_edges(Tell tell) {
+    tell("edge", "edges are parallel");
 }
-template <class T>
-constexpr void check(const triangle<T>& t, const char* argument) {
-    check_edges(t, argument);
+
+template <class Shape>
+constexpr void check(const Shape& x, const char* argument) {
+    inspect(x, rejecting{argument});
 }
+
+// How messages name two movers, and what stands beside one.
+template <moving B>
+inline constexpr const char* name_of_a = is_flight<B> ? "flight a" : "ball a";
+template <moving B>
+inline constexpr const char* name_of_b = is_flight<B> ? "flight b" : "ball b";
 
 template <int N, class T>
 [[nodiscard]] constexpr const char* name_of(const plane<N, T>&) noexcept {

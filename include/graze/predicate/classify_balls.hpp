@@ -16,17 +16,10 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-template <int N, class T>
-constexpr void check(const flight<N, T>& f, const char* argument) {
-    check(f.state, argument);
-    if (!is_finite_input(f.since)) {
-        reject(argument, "since is not finite");
-    }
-}
 template <moving B>
 constexpr void check_movers(const B& a, const B& b) {
-    check(a, is_flight<B> ? "flight a" : "ball a");
-    check(b, is_flight<B> ? "flight b" : "ball b");
+    check(a, name_of_a<B>);
+    check(b, name_of_b<B>);
 }
 
 // The inputs of two flights, settled in a unit of time of their own.

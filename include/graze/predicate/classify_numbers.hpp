@@ -4,22 +4,35 @@
 
 #include <graze/exact/binary.hpp>
 #include <graze/formula/solve_flat.hpp>
-#include <graze/machine/failure.hpp>
 #include <graze/pair/flat_stages.hpp>
 #include <graze/pair/input_check.hpp>
 
 #include <concepts>
-#include <stdexcept>
-#include <string>
 
 namespace graze::inline v0_1 {
 
 namespace detail {
 
-template <int N, class T>
-constexpr void require_radius(const ball<N, T>& b, const char* argument) {
+// As inspect, of exact numbers, all of which are finite.
+template <int N, exact_number T, class Tell>
+constexpr void inspect_numbers(const ball<N, T>& b, Tell tell) {
     if (graze::sign(b.radius) < 0) {
-        detail::fail<std::domain_error>(std::string(argument) + ": radius is negative");
+        tell("radius", "radius is negative");
+    }
+}
+template <int N, exact_number T, class Tell>
+constexpr void inspect_numbers(const plane<N, T>& p, Tell tell) {
+    if (graze::sign(graze::squared_norm(p.normal)) == 0) {
+        tell("normal", "normal is zero");
+    }
+}
+template <class Edged, class Tell>
+requires requires(const Edged& x) { x.edge; }
+constexpr void inspect_numbers(const Edged& x, Tell tell) {
+    for (const auto& e : x.edge) {
+        if (graze::sign(graze::squared_norm(e)) == 0) {
+            tell("edge", "edge is zero");
+        }
     }
 }
 
@@ -78,15 +91,11 @@ template <int N, class T, class Shape, class F>
 
 template <int N, class T, class Shape>
 [[nodiscard]] constexpr wall_encounter decide_in_numbers(const ball<N, T>& b, const Shape& s) {
-    require_radius(b, "ball");
-    for (const auto& e : s.edge) {
-        if (graze::sign(graze::squared_norm(e)) == 0) {
-            fail<std::domain_error>(std::string(name_of(s)) + ": edge is zero");
-        }
-    }
+    inspect_numbers(b, rejecting{"ball"});
+    inspect_numbers(s, rejecting{name_of(s)});
     return with_decision(b, s, [&](const auto& way, const auto& decision) {
         if (graze::sign(way.nn) == 0) {
-            fail<std::domain_error>(std::string(name_of(s)) + ": edges are parallel");
+            tell_parallel_edges(rejecting{name_of(s)});
         }
         const flat_answer found = decision();
         return wall_encounter{found.what, found.where, found.index};
@@ -99,8 +108,8 @@ template <int N, class T, class Shape>
 // parallel edges.
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& a, const ball<N, T>& b) {
-    detail::require_radius(a, "ball a");
-    detail::require_radius(b, "ball b");
+    detail::inspect_numbers(a, detail::rejecting{"ball a"});
+    detail::inspect_numbers(b, detail::rejecting{"ball b"});
     const auto m = relative_motion_of(a, b);
     const auto q = quadratic_of(m);
     return encounter_of([&] { return graze::sign(q.h); }, [&] { return graze::sign(q.c); },
@@ -108,11 +117,9 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const b
 }
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& b, const plane<N, T>& p) {
-    detail::require_radius(b, "ball");
+    detail::inspect_numbers(b, detail::rejecting{"ball"});
+    detail::inspect_numbers(p, detail::rejecting{"plane"});
     const auto m = relative_motion_of(b, p);
-    if (graze::sign(graze::squared_norm(m.n)) == 0) {
-        detail::fail<std::domain_error>("plane: normal is zero");
-    }
     return encounter_of([&] { return graze::sign(plane_height{}(m)) * graze::sign(plane_speed{}(m)); },
                         [&] { return graze::sign(plane_clearance{}(m)); }, [] { return 1; });
 }

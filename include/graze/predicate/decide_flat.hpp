@@ -16,7 +16,7 @@ template <int N, class T, class Shape>
     const auto row = packed<ball_and_wall<N>>(b, shape);
     const flat_answer found = refine_flat<N, T>(row, is_triangle<Shape>, is_zero(b.velocity), question, by);
     if (!found.certain) {
-        reject(name_of(shape), "edges are parallel");
+        tell_parallel_edges(rejecting{name_of(shape)});
     }
     return found;
 }
