@@ -1,6 +1,7 @@
 #include "failure.hpp"
 
 #include "options.hpp"
+#include "reference.hpp"
 #include "shrink.hpp"
 
 #include <algorithm>
@@ -176,7 +177,39 @@ std::optional<witness> witness_of(const figures& now, const figures& accepted) {
     return std::nullopt;
 }
 
+// What graze's own formula in as many digits says of the pair.
+std::string beside_accepted(const reference& accepted, quantity of, const any_pair& p, bool is_loss) {
+    if (!accepted.exists()) {
+        return "";
+    }
+    const std::string who = "graze's own " + accepted.name() + " in as many digits, each operation rounded once";
+    const auto v = judge_one(accepted.formula(), of, p);
+    std::string text = "    beside:   " + who + ", is " + (!v || v->wrong ? "wrong" : "right") + " there";
+    if (v && !v->wrong && !v->errors.empty()) {
+        text += ", to " + told(v->largest()) + " units in the last place";
+    }
+    return text + (is_loss ? "\n" : "; no pair of the family was found that it has right and that shows the loss\n");
+}
+
+// The command that shows the pair in this type and formula, where graze-compare knows both.
+std::string compare_command(const key& k, const std::string& scene) {
+    const auto dot = k.variant.find('.');
+    const std::string form = k.variant.substr(0, dot);
+    const bool is_form = form == "textbook" || form == "halved" || form == "kahan" || form == "lagrange";
+    const bool is_built_in = k.type == "float" || k.type == "double" || k.type.starts_with("long_double");
+    if (!is_form || !is_built_in || k.of == quantity::order) {
+        return "";
+    }
+    const std::string type = k.type.starts_with("long") ? "'long double'" : k.type;
+    return "graze-compare " + quoted(scene) + " --as exact --types " + type + " --variants " + form +
+           (dot == std::string::npos ? "" : "/" + k.variant.substr(dot + 1)) + " --timing 0";
+}
+
 } // namespace
+
+std::string flags_or_none(const std::string& flags) {
+    return flags.find_first_not_of(' ') == std::string::npos ? "none" : flags;
+}
 
 std::vector<std::string> losses(const figures& now, const figures& accepted) {
     std::vector<std::string> worse;
@@ -209,21 +242,46 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
                          about.accepted_option + " --results " + quoted(about.results.string());
     if (const auto found = witness_of(now, accepted)) {
         const bool is_order = k.of == quantity::order; // of a pair and the one before it
+        const reference accepted_build(formula, k.of, about.as_variant);
+        // Bad, and not so for an accepted build, or at least half as bad for it: else the input is to blame.
         const auto is_bad = [&](const any_pair& p, const any_pair* second) {
             const auto v = judge_one(formula, k.of, p, second);
             return v && found->is_bad(*v);
         };
+        const auto is_lost = [&](const any_pair& p, const any_pair* second) {
+            if (!accepted_build.exists()) {
+                return is_bad(p, second);
+            }
+            const auto v = judge_one(formula, k.of, p, second);
+            if (!v || !found->is_bad(*v)) {
+                return false;
+            }
+            const auto there = judge_one(accepted_build.formula(), k.of, p, second);
+            return there && (!found->is_bad(*there) || (!there->wrong && 2 * there->largest() < v->largest()));
+        };
         const auto as_held = [&](const any_pair& p) {
             return std::visit([&](const auto& q) -> any_pair { return held(q, formula.type).value_or(q); }, p);
         };
-        any_pair smallest = pairs.pairs[found->at];
+        // The witness, or another pair that an accepted build has right.
+        std::size_t at = found->at;
+        bool is_loss = is_lost(pairs.pairs[at], is_order ? &pairs.pairs[at - 1] : nullptr);
+        for (std::size_t i = is_order ? 1 : 0; i < pairs.pairs.size() && !is_loss; ++i) {
+            if (is_lost(pairs.pairs[i], is_order ? &pairs.pairs[i - 1] : nullptr)) {
+                at = i;
+                is_loss = true;
+            }
+        }
+        const auto shows = [&](const any_pair& p, const any_pair* second) {
+            return is_loss ? is_lost(p, second) : is_bad(p, second);
+        };
+        any_pair smallest = pairs.pairs[at];
         std::optional<any_pair> before;
         if (is_order) {
-            before = pairs.pairs[found->at - 1];
-            smallest = shrunk(smallest, [&](const any_pair& p) { return is_bad(*before, &p); });
-            before = as_held(shrunk(*before, [&](const any_pair& p) { return is_bad(p, &smallest); }));
+            before = pairs.pairs[at - 1];
+            smallest = shrunk(smallest, [&](const any_pair& p) { return shows(*before, &p); });
+            before = as_held(shrunk(*before, [&](const any_pair& p) { return shows(p, &smallest); }));
         } else {
-            smallest = shrunk(smallest, [&](const any_pair& p) { return is_bad(p, nullptr); });
+            smallest = shrunk(smallest, [&](const any_pair& p) { return shows(p, nullptr); });
         }
         smallest = as_held(smallest);
         std::filesystem::create_directories(about.results);
@@ -233,11 +291,11 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
             file += suffix;
             return file;
         };
-        std::string lines = "# origin: " + repeat + ", pair " + std::to_string(found->at) + ", shrunk\n";
+        std::string lines = "# origin: " + repeat + ", pair " + std::to_string(at) + ", shrunk\n";
         lines += (before ? to_line(*before) + "\n" : "") + to_line(smallest) + "\n";
         write(with(".txt"), lines);
         write(with(".json"), to_scene(smallest, file_name(k), before ? &*before : nullptr));
-        text += "  on the smallest input found, from pair " + std::to_string(found->at) + ":\n";
+        text += "  on the smallest input found, from pair " + std::to_string(at) + ":\n";
         const auto show = [&](const any_pair& p) {
             text += std::visit([](const auto& q) { return in_words(q); }, p) + "    " + to_line(p) + "\n";
         };
@@ -252,12 +310,16 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
         if (v && !v->errors.empty()) {
             text += "    error:    " + told(v->largest()) + " units in the last place\n";
         }
-        text += "  as a scene: graze-compare " + quoted(with(".json").string()) + "\n";
+        text += before ? "" : beside_accepted(accepted_build, k.of, smallest, is_loss);
+        const std::string compared = compare_command(k, with(".json").string());
+        text += compared.empty() ? "  scene:  " + quoted(with(".json").string()) + "\n"
+                                 : "  as a scene: " + compared + "\n";
         const std::string all_of_it = std::string(graze::precision::to_string(k.of)) + "/" + k.variant + "/" + k.type;
         text += "  alone:  " + program + " --only " + quoted(all_of_it + "/") + " --inputs " +
                 quoted(with(".txt").string()) + " --show\n";
     }
-    text += "  compiler: " + about.compiler + "; flags: " + about.flags + "; inputs: " + about.inputs_option + "\n";
+    text += "  compiler: " + about.compiler + "; flags: " + flags_or_none(about.flags) +
+            "; inputs: " + about.inputs_option + "\n";
     return text + "  repeat: " + repeat + "\n";
 }
 

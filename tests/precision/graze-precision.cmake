@@ -3,7 +3,8 @@
 #     [HEADERS file...]       the headers that declare types and formulas, as <name> or as paths
 #     [FORMULAS formula...]   function objects (graze/precision/subject.hpp); all of graze's unless given
 #     [DECISIONS]             graze's decisions and contacts in float and double as well, which may never be wrong
-#     [FLAGS set...]          each a string of compiler flags by which the formulas are compiled, after the build's own
+#     [FLAGS set...]          each a string of compiler flags by which the formulas are compiled, after the build's own;
+#                             "-O1 -ffp-contract=off" unless given, as graze's own figures are measured. FLAGS " " adds none
 #     [ACCEPTED folder]       of the accepted figures; graze's own where AS is given. Of several sets of flags the first
 #                             that is to lose nothing updates them, the others are compared with its
 #     [AS variant/type]       compare with the accepted figures of this variant and this type; either may be left out
@@ -11,6 +12,7 @@
 #     [LIBRARIES target...]   what the types need
 #     [DEFINITIONS name...]   macros for their headers
 #     [PAIRS n] [SEED n] [THREADS n]
+#     [TOLERANCE p]           let the largest error exceed the accepted one by p percent; 0 unless given
 #     [LABELS label...]       of the tests
 #     [EXPECT_LOSS [flag...]] that nothing is lost is the failure; of flag sets, those with one of the flags
 #     [EXCLUDE_FROM_ALL])     the programs are built when the tests run
@@ -20,11 +22,13 @@
 # graze_add_hard_case_search(name
 #     TYPES type... [HEADERS file...] [FORMULAS formula...] [DECISIONS] [LIBRARIES target...] [DEFINITIONS name...]
 #                             as above
-#     [FLAGS flags]           a string of compiler flags by which the formulas are compiled, after the build's own
+#     [FLAGS flags]           a string of compiler flags by which the formulas are compiled, after the build's own;
+#                             "-O1 -ffp-contract=off" unless given
 #     [EXCLUDE_FROM_ALL])     the program is built by its own target alone
 # makes a program that looks for hard cases of these formulas and is told the rest at its command line (--help). Its work
 # is counted in what is compiled from FORMULAS and TYPES, headers included. Needs GMP and CLI11.
 include_guard(GLOBAL)
+set(GRAZE_PRECISION_FLAGS "-O1 -ffp-contract=off")
 set(GRAZE_PRECISION_SOURCES "${CMAKE_CURRENT_LIST_DIR}" CACHE INTERNAL "The sources of the precision suite")
 
 # What measures, compiled once and by the build's own flags without those that would spoil it.
@@ -41,7 +45,7 @@ function(graze_precision_suite_library)
             "on Debian and Ubuntu it is the package libgmp-dev")
     endif()
     find_package(Threads REQUIRED)
-    set(sources accepted failure inputs judge measure options run shrink truth which_flag)
+    set(sources accepted failure inputs judge measure options reference run shrink truth which_flag)
     list(TRANSFORM sources PREPEND "${GRAZE_PRECISION_SOURCES}/")
     list(TRANSFORM sources APPEND ".cpp")
     add_library(graze_precision_suite STATIC EXCLUDE_FROM_ALL ${sources})
@@ -145,29 +149,78 @@ int main(int argc, char** argv) {
     set(${sources_out} "${sources}" PARENT_SCOPE)
 endfunction()
 
-function(graze_add_precision_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXCLUDE_FROM_ALL" "ACCEPTED;AS;PAIRS;SEED;THREADS"
-        "TYPES;HEADERS;FORMULAS;FLAGS;INPUTS;LIBRARIES;DEFINITIONS;LABELS;EXPECT_LOSS")
-    if(arg_UNPARSED_ARGUMENTS OR NOT arg_TYPES)
-        message(FATAL_ERROR "graze_add_precision_test(${name}): TYPES expected, got '${arg_UNPARSED_ARGUMENTS}'")
+# Words that cmake_parse_arguments would swallow or leave are told by their names.
+function(graze_precision_check_words function unparsed without_value)
+    if(unparsed)
+        list(GET unparsed 0 word)
+        message(FATAL_ERROR "${function}: '${word}' belongs to no keyword")
     endif()
-    if(NOT arg_ACCEPTED)
-        if(NOT arg_AS)
-            message(FATAL_ERROR "graze_add_precision_test(${name}): ACCEPTED expected, a folder, or AS")
+    list(REMOVE_ITEM without_value EXPECT_LOSS) # stands alone too
+    if(without_value)
+        list(GET without_value 0 word)
+        message(FATAL_ERROR "${function}: ${word} has no value")
+    endif()
+    if(NOT arg_TYPES)
+        message(FATAL_ERROR "${function}: TYPES is missing")
+    endif()
+    foreach(file IN LISTS arg_HEADERS)
+        if(NOT file MATCHES "^<.*>$")
+            get_filename_component(path "${file}" ABSOLUTE)
+            if(NOT EXISTS "${path}")
+                message(FATAL_ERROR "${function}: HEADERS ${file}: no such file")
+            endif()
+        endif()
+    endforeach()
+endfunction()
+
+function(graze_add_precision_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXCLUDE_FROM_ALL" "ACCEPTED;AS;PAIRS;SEED;THREADS;TOLERANCE"
+        "TYPES;HEADERS;FORMULAS;FLAGS;INPUTS;LIBRARIES;DEFINITIONS;LABELS;EXPECT_LOSS")
+    set(this_call "graze_add_precision_test(${name})")
+    graze_precision_check_words("${this_call}" "${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
+    foreach(option IN ITEMS PAIRS SEED THREADS)
+        if(DEFINED arg_${option} AND NOT arg_${option} MATCHES "^[1-9][0-9]*$")
+            message(FATAL_ERROR "${this_call}: ${option} ${arg_${option}}: a whole number above 0 is needed")
+        endif()
+    endforeach()
+    if(DEFINED arg_TOLERANCE AND NOT arg_TOLERANCE MATCHES "^[0-9]+(\\.[0-9]+)?$")
+        message(FATAL_ERROR "${this_call}: TOLERANCE ${arg_TOLERANCE}: a percentage is needed")
+    endif()
+    if(arg_ACCEPTED AND arg_AS)
+        message(FATAL_ERROR "${this_call}: ACCEPTED and AS: the figures are those of a folder of yours, or graze's own; "
+            "one of the two")
+    elseif(arg_AS)
+        if(NOT arg_AS MATCHES "/" OR arg_AS STREQUAL "/")
+            message(FATAL_ERROR "${this_call}: AS ${arg_AS}: no variant/type, such as lagrange/double or /double")
         endif()
         set(arg_ACCEPTED "${GRAZE_PRECISION_SOURCES}/accepted")
+    elseif(NOT arg_ACCEPTED)
+        message(FATAL_ERROR "${this_call}: ACCEPTED, a folder, or AS is missing")
     endif()
+    foreach(path IN LISTS arg_INPUTS)
+        get_filename_component(absolute "${path}" ABSOLUTE)
+        if(NOT EXISTS "${absolute}")
+            message(FATAL_ERROR "${this_call}: INPUTS ${path}: no such file or folder")
+        endif()
+    endforeach()
     if(NOT arg_INPUTS)
         set(arg_INPUTS "${GRAZE_PRECISION_SOURCES}/inputs")
     endif()
-    graze_precision_suite_library()
-    if(NOT arg_FLAGS)
-        set(arg_FLAGS " ")
+    if(NOT DEFINED arg_FLAGS)
+        set(arg_FLAGS "${GRAZE_PRECISION_FLAGS}")
     endif()
     list(LENGTH arg_FLAGS sets)
+    foreach(flag IN LISTS arg_EXPECT_LOSS)
+        list(JOIN arg_FLAGS " " all_sets)
+        separate_arguments(all_sets UNIX_COMMAND "${all_sets}")
+        if(NOT flag IN_LIST all_sets)
+            message(FATAL_ERROR "${this_call}: EXPECT_LOSS ${flag}: no set of FLAGS has this flag")
+        endif()
+    endforeach()
+    graze_precision_suite_library()
 
     set(common)
-    foreach(option IN ITEMS PAIRS SEED THREADS)
+    foreach(option IN ITEMS PAIRS SEED THREADS TOLERANCE)
         if(arg_${option})
             string(TOLOWER "${option}" word)
             list(APPEND common --${word} ${arg_${option}})
@@ -259,10 +312,17 @@ function(graze_add_precision_test name)
 endfunction()
 
 function(graze_add_hard_case_search name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXCLUDE_FROM_ALL" "FLAGS"
-        "TYPES;HEADERS;FORMULAS;LIBRARIES;DEFINITIONS")
-    if(arg_UNPARSED_ARGUMENTS OR NOT arg_TYPES)
-        message(FATAL_ERROR "graze_add_hard_case_search(${name}): TYPES expected, got '${arg_UNPARSED_ARGUMENTS}'")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "DECISIONS;EXCLUDE_FROM_ALL" ""
+        "TYPES;HEADERS;FORMULAS;FLAGS;LIBRARIES;DEFINITIONS")
+    graze_precision_check_words("graze_add_hard_case_search(${name})" "${arg_UNPARSED_ARGUMENTS}"
+        "${arg_KEYWORDS_MISSING_VALUES}")
+    if(NOT DEFINED arg_FLAGS)
+        set(arg_FLAGS "${GRAZE_PRECISION_FLAGS}")
+    endif()
+    list(LENGTH arg_FLAGS sets)
+    if(sets GREATER 1)
+        message(FATAL_ERROR "graze_add_hard_case_search(${name}): FLAGS takes one string, such as \"-O2 -ffast-math\", "
+            "not ${sets}")
     endif()
     graze_hard_case_search_libraries()
     if(NOT TARGET graze_precision_search_program)

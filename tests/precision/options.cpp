@@ -7,24 +7,27 @@ namespace precision {
 const char* const usage =
     "usage: PROGRAM [options]\n"
     "Measures formulas against the exact truth and compares the figures with the accepted ones.\n"
-    "  --only TEXT         figures whose quantity/variant/type/family contains TEXT; may be repeated\n"
-    "  --pairs N           pairs of each family (400)\n"
-    "  --seed N            which ones (1)\n"
-    "  --inputs FILE       the pairs of a file instead of the families; may be repeated\n"
-    "  --kept PATH         the pairs of a file, or of a folder's *.txt, beside the families; may be repeated\n"
-    "  --accepted FOLDER   the accepted figures\n"
-    "  --as VARIANT/TYPE   compare with the figures accepted for another variant, or type; either may be left out\n"
-    "  --results FOLDER    where a failure's inputs are written (precision-results)\n"
-    "  --threads N         (1)\n"
-    "  --show              print the figures and compare nothing\n"
-    "  --quiet             count the losses without telling of each\n"
-    "  --expect-loss       a loss is expected: that nothing is lost is the failure\n"
-    "  --no-update         update no accepted figures, whatever GRAZE_PRECISION_UPDATE says\n"
-    "  --which-flag FILE.. of the results of several flag sets, say which flag lost the precision\n"
-    "GRAZE_PRECISION_UPDATE=no|new|all: compare only; write *.accepted.new beside files that would change; replace "
+    "  --only TEXT         Measure only figures whose quantity/variant/type/family contains TEXT; may be repeated\n"
+    "  --pairs N           Draw N pairs of each family (400)\n"
+    "  --seed N            The seed of the families (1)\n"
+    "  --inputs FILE       Measure the pairs of this file instead of the families; may be repeated\n"
+    "  --kept PATH         Measure the pairs of this file, or of a folder's *.txt, beside the families; may be "
+    "repeated\n"
+    "  --accepted FOLDER   The folder of the accepted figures\n"
+    "  --as VARIANT/TYPE   Compare with the figures accepted for another variant or type; either may be left out\n"
+    "  --tolerance P       Let the largest error exceed the accepted one by P percent (0)\n"
+    "  --results FOLDER    Write the inputs of a failure to this folder (precision-results)\n"
+    "  --threads N         Use N threads (1)\n"
+    "  --show              Print the figures and compare nothing\n"
+    "  --quiet             Count the losses and describe none\n"
+    "  --expect-loss       Expect a loss: the run fails if nothing is lost\n"
+    "  --no-update         Update no accepted figures, whatever GRAZE_PRECISION_UPDATE says\n"
+    "  --which-flag FILE.. Say which flag lost the precision, from the results of several flag sets\n"
+    "  --help              Print this and exit\n"
+    "GRAZE_PRECISION_UPDATE=no: compare only; new: write *.accepted.new beside files that would change; all: replace "
     "them\n"
-    "exit codes: 0 nothing lost, 1 precision lost, 2 bad input, 3 nothing measured where something was to be,\n"
-    "  4 an expected failure passed, 5 figures that nobody has accepted yet\n";
+    "Exit codes: 0 nothing lost, 1 precision lost, 2 bad input, 3 nothing measured where something was expected,\n"
+    "  4 an expected failure passed, 5 figures not accepted yet\n";
 
 namespace {
 
@@ -73,6 +76,13 @@ options parse(const std::vector<std::string>& words) {
             }
             o.as_variant = text.substr(0, slash);
             o.as_type = text.substr(slash + 1);
+        } else if (word == "--tolerance") {
+            const std::string& text = next();
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), o.tolerance);
+            if (error != std::errc() || end != text.data() + text.size() ||
+                !(o.tolerance >= 0 && o.tolerance <= 1000)) {
+                throw std::invalid_argument(word + ": \"" + text + "\" is not a percentage from 0 to 1000");
+            }
         } else if (word == "--results") {
             o.results = next();
         } else if (word == "--show") {

@@ -15,6 +15,7 @@ struct options {
     std::vector<std::filesystem::path> kept;   // files, or folders of *.txt, beside the families
     std::filesystem::path accepted, results = "precision-results";
     std::string as_variant, as_type; // whose accepted figures are compared with; empty: the formula's own
+    double tolerance = 0;            // percent by which the largest error may exceed the accepted one
     std::size_t pairs = 400;
     std::uint64_t seed = 1;
     unsigned threads = 1;

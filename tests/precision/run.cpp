@@ -49,15 +49,22 @@ std::vector<family> families_asked(const options& o) {
             files.push_back(path);
             continue;
         }
+        const std::size_t before = files.size();
         for (const auto& entry : std::filesystem::directory_iterator(path)) {
             if (entry.path().extension() == ".txt") {
                 files.push_back(entry.path());
             }
         }
+        if (files.size() == before) {
+            throw std::runtime_error("--kept " + path.string() + ": no *.txt in this folder");
+        }
     }
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
         all.push_back(read_inputs(file));
+        if (all.back().pairs.empty()) {
+            throw std::runtime_error(file.string() + ": no pairs in it");
+        }
     }
     return all;
 }
@@ -80,10 +87,17 @@ std::string command_of(const options& o, bool short_paths = false) {
     return command;
 }
 
+std::string as_written(double x) {
+    std::string text = std::to_string(x);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+}
+
 std::string accepted_option(const options& o) {
     const bool by_another = !o.as_variant.empty() || !o.as_type.empty();
     return (o.accepted.empty() ? "" : " --accepted " + quoted(o.accepted.string())) +
-           (by_another ? " --as " + o.as_variant + "/" + o.as_type : "") + (o.no_update ? " --no-update" : "");
+           (by_another ? " --as " + o.as_variant + "/" + o.as_type : "") +
+           (o.tolerance > 0 ? " --tolerance " + as_written(o.tolerance) : "") + (o.no_update ? " --no-update" : "");
 }
 
 void print(const all_figures& measured) {
@@ -116,7 +130,8 @@ class comparison {
             list(unexpected_, out);
         }
         if (!new_.empty()) {
-            out << "NOT ACCEPTED YET: " << new_.size() << " figures, such as " << to_string(new_.front())
+            out << "NOT ACCEPTED YET: " << new_.size() << (new_.size() == 1 ? " figure, " : " figures, such as ")
+                << to_string(new_.front())
                 << (asked_.no_update ? "; this run updates none: the test of another set of flags does\n"
                                      : "; see them with GRAZE_PRECISION_UPDATE=new\n");
         }
@@ -124,8 +139,9 @@ class comparison {
             out << "NOT MEASURED, though accepted:\n";
             list(unmeasured_, out);
         }
-        out << measured_.size() << " figures, " << lost_.size() << " worse than accepted, " << better_ << " better, by "
-            << about_.flags << '\n';
+        out << measured_.size() << (measured_.size() == 1 ? " figure, " : " figures, ") << lost_.size()
+            << " worse than accepted, " << better_ << " better; compiled by " << about_.compiler << ", flags "
+            << flags_or_none(about_.flags) << '\n';
         return !lost_.empty()         ? lost
                : !unexpected_.empty() ? expected_failure_passed
                : !unmeasured_.empty() ? nothing_measured
@@ -159,6 +175,9 @@ class comparison {
             before.values = now.values;
         } else {
             before = line->second.accepted;
+        }
+        if (asked_.tolerance > 0 && !now.correctly_rounded) {
+            before.largest *= 1 + asked_.tolerance / 100;
         }
         if (other != k) {
             before.pairs = std::min(before.pairs, now.pairs); // a type of another range holds other pairs
@@ -266,13 +285,17 @@ int run_checked(const options& o, const std::string& program, const graze::preci
                });
     };
     const update how = update_asked();
+    if (!o.accepted.empty() && how == update::no && !std::filesystem::exists(o.accepted)) {
+        throw std::runtime_error("--accepted " + o.accepted.string() +
+                                 ": no such folder; GRAZE_PRECISION_UPDATE=all makes it and accepts the figures");
+    }
     const accepted_figures accepted = o.accepted.empty() ? accepted_figures{} : read_accepted(o.accepted);
     if (!o.show) {
         start_results(o.results);
     }
     const all_figures measured = measure(formulas, what);
     if (measured.empty()) {
-        std::cout << "NOTHING WAS MEASURED: no formula, type, family and --only fit together\n";
+        std::cout << "NOTHING WAS MEASURED: --only leaves no figure, or no formula is about these pairs\n";
         return nothing_measured;
     }
     if (o.show) {
@@ -280,7 +303,7 @@ int run_checked(const options& o, const std::string& program, const graze::preci
         return passed;
     }
     const std::string repeated = command_of(o);
-    const circumstances about{program, compiler, flags, repeated, accepted_option(o), o.results};
+    const circumstances about{program, compiler, flags, repeated, accepted_option(o), o.results, o.as_variant};
     // Figures that are compared with another's, or that are meant to be worse, are nothing to accept; of several sets
     // of flags one alone says what is accepted.
     const bool own_figures = o.as_variant.empty() && o.as_type.empty() && !o.expect_loss && !o.no_update;

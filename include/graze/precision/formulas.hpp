@@ -1,11 +1,15 @@
 // The formulas of graze, as the precision regression measures them.
 #pragma once
 
+#include <graze/formula/closest_approach.hpp>
 #include <graze/formula/root_order.hpp>
 #include <graze/formula/solve_balls.hpp>
 #include <graze/formula/solve_flat.hpp>
 #include <graze/formula/solve_plane.hpp>
 #include <graze/precision/subject.hpp>
+
+#include <concepts>
+#include <type_traits>
 
 namespace graze::inline v0_1::precision {
 
@@ -56,6 +60,20 @@ struct discriminant_in {
         const quadratic<T, T, T> q = quadratic_of(m);
         return answered(quantity::discriminant,
                         graze::detail::discriminant_by<V, T>(q, [&] { return T(discriminant_lagrange{}(m)); }));
+    }
+};
+
+// D of two balls by way of the closest approach; balls that rest relative to each other, which it cannot divide for,
+// have D = 0. F is discriminant_closest or discriminant_factored.
+template <class F>
+struct discriminant_by_approach {
+    static constexpr const char* name = std::is_same_v<F, discriminant_closest> ? "closest" : "factored";
+    static constexpr quantity measures = quantity::discriminant;
+    template <int N, number T>
+    requires std::invocable<F, relative_motion<N, T, T, T>>
+    [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b) const {
+        const auto m = relative_motion_of(a, b);
+        return answered(quantity::discriminant, graze::sign(coefficient_a{}(m)) == 0 ? T(0) : T(F{}(m)));
     }
 };
 

@@ -30,6 +30,12 @@ inline constexpr std::size_t most_parts = 32;
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52U & 0x7ffU);
 }
 
+template <class T>
+concept cast_from_and_to_double = requires(double x, const T& y) {
+    static_cast<T>(x);
+    static_cast<double>(y);
+};
+
 } // namespace detail
 
 // Specialise it for a number type that static_cast does not convert from and to double, or that is not a sum of a few
@@ -38,7 +44,18 @@ inline constexpr std::size_t most_parts = 32;
 //   read   the value of a result, exactly
 template <number T>
 struct number_access {
-    [[nodiscard]] static T from(double x) { return static_cast<T>(x); }
+    static_assert(
+        detail::cast_from_and_to_double<T>,
+        "specialise graze::precision::number_access for this number type: static_cast does not convert it from and "
+        "to double (docs/how-to/precision-of-your-own.md)");
+
+    [[nodiscard]] static T from(double x) {
+        if constexpr (detail::cast_from_and_to_double<T>) {
+            return static_cast<T>(x);
+        } else {
+            return T(0);
+        }
+    }
 
     // The leading double, then that of the remainder, and so on. Beyond the range of double, powers of two are taken
     // out first.
@@ -77,8 +94,12 @@ struct number_access {
 
     // Through memory, so that no flag lets a compiler drop the conversion and its inverse.
     [[nodiscard]] static double nearest(const T& x) {
-        const volatile double y = static_cast<double>(x);
-        return y;
+        if constexpr (detail::cast_from_and_to_double<T>) {
+            const volatile double y = static_cast<double>(x);
+            return y;
+        } else {
+            return 0;
+        }
     }
 };
 

@@ -36,16 +36,23 @@ std::optional<double> score_of(const goal& g, any_pair& p, const row& numbers, a
     return g.score(p);
 }
 
-// About x, 2^bits to both sides, within the same sign: signs are changed by the climb. The masses stay.
-range about(double x, int bits) {
+// About x, 2^bits to both sides, within the same sign and the magnitudes: signs are changed by the climb. The masses
+// stay.
+range about(double x, int bits, const magnitudes::range& within) {
     const std::int64_t at = place_of(x), reach = std::int64_t{1} << bits;
     if (at == 0 || !std::isfinite(x)) {
         return {at, at};
     }
     const std::int64_t size = at < 0 ? -at : at;
-    const std::int64_t low = std::max(size - reach, std::min(size, narrowest));
-    const std::int64_t high = std::min(size + reach, std::max(size, widest));
+    const std::int64_t low = std::max({size - reach, std::min(size, narrowest), place_of(within.low)});
+    std::int64_t high = std::min(size + reach, std::max(size, widest));
+    high = std::isfinite(within.high) ? std::min(high, place_of(within.high)) : high;
     return at < 0 ? range{-high, -low} : range{low, high};
+}
+
+// The nearest number of the same sign that is within; 0 and infinity stay.
+double moved_into(double x, const magnitudes::range& within) {
+    return x == 0 || !std::isfinite(x) ? x : std::copysign(std::clamp(std::fabs(x), within.low, within.high), x);
 }
 
 double drawn_from(const range& r, random& source) {
@@ -102,11 +109,14 @@ std::optional<found> descend(const goal& g, const std::vector<precision::family>
     random source(seed ^ 0x7365617263680000U, index);
     const auto& family = families[source.below(families.size())].pairs;
     any_pair p = family[source.below(family.size())];
-    const row start = numbers_of(p);
+    row start = numbers_of(p);
+    const std::vector<magnitudes::range> within = g.within.of(p);
     const int bits = static_cast<int>(source.below(60));
     std::vector<range> box;
-    for (const double x : start) {
-        box.push_back(source.one_in(4) ? range{place_of(x), place_of(x)} : about(x, bits));
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        start[i] = moved_into(start[i], within[i]);
+        const double x = start[i];
+        box.push_back(source.one_in(4) ? range{place_of(x), place_of(x)} : about(x, bits, within[i]));
     }
     std::optional<sample> best;
     if (const auto score = score_of(g, p, start, left)) {

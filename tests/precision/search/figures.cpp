@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 namespace search {
 
@@ -98,6 +99,12 @@ std::vector<figure> figures_of(const graze::precision::subjects& formulas) {
 
 goal goal_of(const terms& t, const graze::precision::subjects& formulas) {
     const aim what = aim_from(t.goal);
+    magnitudes within;
+    for (const auto& [option, text, range] : {std::tuple("--lengths", &t.lengths, &within.lengths),
+                                              std::tuple("--velocities", &t.velocities, &within.velocities),
+                                              std::tuple("--masses", &t.masses, &within.masses)}) {
+        *range = text->empty() ? magnitudes::range{} : range_from(option, *text);
+    }
     const auto fits = [&](const figure& f) {
         // Of a decimal type, whose numbers no pair of doubles holds, borders are not told.
         const bool is_binary = f.formulas.front()->type.decimal_digits == 0;
@@ -107,7 +114,7 @@ goal goal_of(const terms& t, const graze::precision::subjects& formulas) {
     const std::vector<figure> all = figures_of(formulas);
     for (const figure& f : all) {
         if (f.name == t.figure && fits(f)) {
-            return {what, f.of, f.formulas};
+            return {what, f.of, f.formulas, within};
         }
         if (fits(f)) {
             fitting.push_back(f.name);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -89,7 +90,56 @@ aim aim_from(const std::string& word) {
     throw std::invalid_argument("the goal is \"" + word + "\", not error, nearest, farthest or fallback");
 }
 
+std::vector<magnitudes::range> magnitudes::of(const any_pair& p) const {
+    return std::visit(
+        [&]<int N>(const precision::pair<N>& q) {
+            std::vector<range> all;
+            const auto add = [&](const range& r, int count = N) {
+                all.insert(all.end(), static_cast<std::size_t>(count), r);
+            };
+            const auto ball = [&] {
+                add(lengths);
+                add(velocities);
+                add(lengths, 1);
+                add(masses, 1);
+            };
+            ball();
+            if (std::holds_alternative<graze::ball<N, double>>(q.other)) {
+                ball();
+            } else if (std::holds_alternative<graze::plane<N, double>>(q.other)) {
+                add(lengths);
+                add({});
+            } else {
+                add(lengths, N * N); // a corner and N - 1 edges
+            }
+            return all;
+        },
+        p);
+}
+
+magnitudes::range range_from(const std::string& option, const std::string& text) {
+    magnitudes::range r;
+    const auto colon = text.find(':');
+    const auto number = [&](const std::string& word, double& to) {
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), to);
+        return error == std::errc() && end == word.data() + word.size() && to > 0 && std::isfinite(to);
+    };
+    if (colon == std::string::npos || !number(text.substr(0, colon), r.low) ||
+        !number(text.substr(colon + 1), r.high) || r.low > r.high) {
+        throw std::invalid_argument(option + " " + text +
+                                    ": the least and the greatest magnitude expected, as 1e-3:1e3");
+    }
+    return r;
+}
+
 std::optional<double> goal::score(const any_pair& p) const {
+    const std::vector<magnitudes::range> ranges = within.of(p);
+    const std::vector<double> numbers = std::visit([](const auto& q) { return precision::numbers_of(q); }, p);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (std::isfinite(numbers[i]) && !ranges[i].holds(numbers[i])) {
+            return std::nullopt;
+        }
+    }
     switch (what) {
     case aim::nearest:
     case aim::farthest:

@@ -1,5 +1,10 @@
 #include "kept.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -32,12 +37,22 @@ std::vector<std::string> split(const std::string& text) {
     return words;
 }
 
+// The magnitudes that are given, as options or as values of a line.
+std::string within(const terms& t, const std::string& before, const std::string& after) {
+    std::string text;
+    for (const auto& [name, value] :
+         {std::pair("lengths", &t.lengths), std::pair("velocities", &t.velocities), std::pair("masses", &t.masses)}) {
+        text += value->empty() ? std::string() : before + name + after + *value;
+    }
+    return text;
+}
+
 // One line of names and values, `name=value name=value`.
 std::string line_of(const kept_file& f) {
     std::ostringstream out;
     out << terms_mark << " goal=" << f.of.goal << " figure=" << f.of.figure << " families=" << joined(f.of.families)
-        << " seed=" << f.of.seed << " evaluations=" << f.of.evaluations << " shard=" << f.of.shard << '/' << f.of.shards
-        << " next=" << f.next << " merged=" << (f.merged ? 1 : 0);
+        << " seed=" << f.of.seed << " evaluations=" << f.of.evaluations << within(f.of, " ", "=")
+        << " shard=" << f.of.shard << '/' << f.of.shards << " next=" << f.next << " merged=" << (f.merged ? 1 : 0);
     return out.str();
 }
 
@@ -51,6 +66,17 @@ class values {
             throw std::runtime_error("\"" + name + "=\" expected");
         }
         return word.substr(name.size() + 1);
+    }
+    // Empty where it is missing.
+    std::string text_if_any(const std::string& name) {
+        const auto here = in_.tellg();
+        std::string word;
+        if (in_ >> word && word.starts_with(name + "=")) {
+            return word.substr(name.size() + 1);
+        }
+        in_.clear();
+        in_.seekg(here);
+        return "";
     }
     std::uint64_t number(const std::string& name) { return to_number(name, text(name)); }
     double real(const std::string& name) {
@@ -92,6 +118,9 @@ void read_terms(const std::string& line, kept_file& f) {
     f.of.families = split(v.text("families"));
     f.of.seed = v.number("seed");
     f.of.evaluations = v.number("evaluations");
+    f.of.lengths = v.text_if_any("lengths");
+    f.of.velocities = v.text_if_any("velocities");
+    f.of.masses = v.text_if_any("masses");
     const std::string shard = v.text("shard");
     const auto slash = shard.find('/');
     f.of.shard = values::to_number("shard", shard.substr(0, slash));
@@ -107,7 +136,7 @@ void read_terms(const std::string& line, kept_file& f) {
 
 bool same_search(const terms& x, const terms& y) {
     return x.goal == y.goal && x.figure == y.figure && x.families == y.families && x.seed == y.seed &&
-           x.evaluations == y.evaluations;
+           x.evaluations == y.evaluations && within(x, " ", "=") == within(y, " ", "=");
 }
 
 void keep(std::vector<kept_pair>& pairs, kept_pair p) {
@@ -132,7 +161,7 @@ void keep(std::vector<kept_pair>& pairs, kept_pair p) {
 std::string command_of(const terms& t) {
     return t.program + " --goal " + t.goal + " --figure " + t.figure +
            (t.families.empty() ? "" : " --families " + joined(t.families)) + " --seed " + std::to_string(t.seed) +
-           " --evaluations " + std::to_string(t.evaluations);
+           " --evaluations " + std::to_string(t.evaluations) + within(t, " --", " ");
 }
 
 std::string text_of(const kept_file& file, const goal& g) {
@@ -150,6 +179,30 @@ std::string text_of(const kept_file& file, const goal& g) {
         }
     }
     return out.str();
+}
+
+file_lock::file_lock(const std::filesystem::path& of) : path_(of.string() + ".lock") {
+    for (;;) {
+        file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+        if (file_ < 0) {
+            throw std::runtime_error(path_.string() + ": cannot be written");
+        }
+        if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+            ::close(file_);
+            throw std::runtime_error(of.string() + ": another search is using this file; another --out is needed");
+        }
+        struct stat here {
+        }, there{}; // whoever had it may have taken the file away meanwhile
+        if (::fstat(file_, &here) == 0 && ::stat(path_.c_str(), &there) == 0 && here.st_ino == there.st_ino) {
+            return;
+        }
+        ::close(file_);
+    }
+}
+
+file_lock::~file_lock() {
+    ::unlink(path_.c_str());
+    ::close(file_);
 }
 
 void write(const std::filesystem::path& path, const kept_file& file, const goal& g) {

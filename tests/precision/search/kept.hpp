@@ -11,8 +11,9 @@ namespace search {
 
 // The terms of a search. A search continues only from a file with the same terms.
 struct terms {
-    std::string goal, figure;          // "error", "time/lagrange.stable/double"
-    std::vector<std::string> families; // of which tries start; none: all
+    std::string goal, figure;                // "error", "time/lagrange.stable/double"
+    std::vector<std::string> families;       // of which tries start; none: all
+    std::string lengths, velocities, masses; // the least and the greatest magnitude, "1e-3:1e3"; empty: all
     std::uint64_t seed = 1, evaluations = 20'000;
     std::uint64_t shard = 0, shards = 1;  // takes the tries whose number is `shard` modulo `shards`
     std::string program = "graze-search"; // whose command it is: no term
@@ -48,6 +49,20 @@ void keep(std::vector<kept_pair>& pairs, kept_pair p);
 
 // The whole file, with each pair followed by a shrunk one.
 [[nodiscard]] std::string text_of(const kept_file& file, const goal& g);
+
+// Keeps other processes from a search's file while it lives: one process at a time, on this machine or on others that
+// share the folder. std::runtime_error where another has it.
+class file_lock {
+  public:
+    explicit file_lock(const std::filesystem::path& of);
+    ~file_lock();
+    file_lock(const file_lock&) = delete;
+    file_lock& operator=(const file_lock&) = delete;
+
+  private:
+    std::filesystem::path path_;
+    int file_ = -1;
+};
 
 // Whole or not at all.
 void write(const std::filesystem::path& path, const kept_file& file, const goal& g);

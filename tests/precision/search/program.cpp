@@ -85,6 +85,7 @@ int search_on(const options& o, const goal& g) {
     if (std::filesystem::is_directory(o.out)) {
         throw std::runtime_error(o.out + ": is a folder");
     }
+    const file_lock alone(o.out);
     if (std::filesystem::exists(o.out)) {
         file = read_kept(o.out);
         file.of.program = o.of.program;
@@ -145,7 +146,8 @@ int merge(const options& o, const graze::precision::subjects& formulas) {
         }
     }
     write(o.merged_into, all, g);
-    std::printf("%zu pairs of %zu files kept in %s\n", all.pairs.size(), files.size(), o.merged_into.c_str());
+    std::printf("%zu %s of %zu files kept in %s\n", all.pairs.size(), all.pairs.size() == 1 ? "pair" : "pairs",
+                files.size(), o.merged_into.c_str());
     return 0;
 }
 
@@ -154,7 +156,7 @@ int chosen(const CLI::App& merging, options& o, const graze::precision::subjects
         return merge(o, formulas);
     }
     if (o.of.figure.empty()) {
-        throw std::invalid_argument("--figure is needed; --help tells more");
+        throw std::invalid_argument("--figure is missing (see --help)");
     }
     split_shard(o);
     const goal g = goal_of(o.of, formulas);
@@ -167,47 +169,54 @@ int chosen(const CLI::App& merging, options& o, const graze::precision::subjects
 
 int run(int argc, char** argv, const graze::precision::subjects& formulas, const std::string& name) {
     CLI::App app{
-        "Looks for pairs that are worse for a formula than random ones: ranges of the inputs are halved in the "
-        "order of the floats and the worse half is kept, again from many starts; then bits are changed one by "
-        "one as long as that makes it worse; then the numbers are made simpler. What is found is kept in a "
-        "file that the precision suite reads. Stopped (SIGINT, SIGTERM) or out of tries, the same command "
-        "goes on.",
+        "Searches for pairs that are worse for a formula than random ones. From many starts, it halves the ranges of "
+        "the inputs and keeps the worse half, then changes single bits as long as that makes the pair worse, then "
+        "makes the numbers simpler. The precision suite reads the file of what it finds. After SIGINT, SIGTERM or its "
+        "last try, the same command goes on.",
         name};
     options o;
     o.of.goal = "error";
     o.of.program = name;
     app.add_option("--goal", o.of.goal,
-                   "error: largest; nearest, farthest: a wrong decision by its distance from the border; "
-                   "fallback: the most basic blocks executed")
+                   "error: the largest error; nearest, farthest: the wrong decision nearest to the border, or farthest "
+                   "from it; fallback: the most basic blocks executed")
         ->capture_default_str();
-    app.add_option("--figure", o.of.figure, "quantity/variant/type, as time/lagrange.stable/double");
-    app.add_option("--families", o.of.families, "Start from these, separated by commas, instead of all")
-        ->delimiter(',');
-    app.add_option("--seed", o.of.seed, "Of the tries")->check(whole_from(0))->capture_default_str();
-    app.add_option("--evaluations", o.of.evaluations, "For one try")->check(whole_from(1))->capture_default_str();
-    auto* const tries =
-        app.add_option("--tries", o.tries, "Of all shards together")->check(whole_from(1))->capture_default_str();
+    app.add_option("--figure", o.of.figure, "The figure, quantity/variant/type, such as time/lagrange.stable/double");
+    app.add_option("--families", o.of.families, "Start from these families, separated by commas (all)")->delimiter(',');
+    app.add_option("--lengths", o.of.lengths,
+                   "The least and the greatest magnitude of lengths that are not 0, such as 1e-3:1e3 (any)");
+    app.add_option("--velocities", o.of.velocities, "The same of velocities");
+    app.add_option("--masses", o.of.masses, "The same of masses");
+    app.add_option("--seed", o.of.seed, "The seed of the tries")->check(whole_from(0))->capture_default_str();
+    app.add_option("--evaluations", o.of.evaluations, "Evaluations of one try")
+        ->check(whole_from(1))
+        ->capture_default_str();
+    auto* const tries = app.add_option("--tries", o.tries, "The number of tries, of all shards together")
+                            ->check(whole_from(1))
+                            ->capture_default_str();
     auto* const shard =
-        app.add_option("--shard", o.shard, "i/n: every n-th try, from the i-th on; the files are merged afterwards")
+        app.add_option("--shard", o.shard, "i/n: make every n-th try, from the i-th on; merge joins the files")
             ->capture_default_str();
-    auto* const out = app.add_option("--out", o.out, "What is kept, and gone on from")->capture_default_str();
-    auto* const attempt = app.add_option("--try", o.attempt, "This try alone, printed: what an origin's command says")
-                              ->check(whole_from(0))
-                              ->excludes(tries)
-                              ->excludes(shard)
-                              ->excludes(out);
-    app.add_option("--climbs", o.climbs, "With --try: how often it is given --evaluations")
+    auto* const out =
+        app.add_option("--out", o.out, "Keep what is found in this file, and go on from it")->capture_default_str();
+    auto* const attempt =
+        app.add_option("--try", o.attempt, "Make only this try and print it, as an origin's command does")
+            ->check(whole_from(0))
+            ->excludes(tries)
+            ->excludes(shard)
+            ->excludes(out);
+    app.add_option("--climbs", o.climbs, "With --try: how often the try gets --evaluations")
         ->needs(attempt)
         ->check(whole_from(1))
         ->capture_default_str();
-    CLI::App* const merging = app.add_subcommand("merge", "Keeps the worst pairs of several files in one");
-    merging->add_option("out", o.merged_into, "The file to write; none, or what was merged before")->required();
-    merging->add_option("in", o.merged_from, "Files of one search's shards")->required();
+    CLI::App* const merging = app.add_subcommand("merge", "Keep the worst pairs of several files in one");
+    merging->add_option("out", o.merged_into, "The file to write: a new one, or an earlier merge")->required();
+    merging->add_option("in", o.merged_from, "The files of one search's shards")->required();
     try {
         app.parse(argc, argv);
         const bool has_options = std::ranges::any_of(app.get_options(), [](const auto* x) { return x->count() != 0; });
         if (merging->parsed() && has_options) {
-            throw std::invalid_argument("merge takes its files alone, and no options before it");
+            throw std::invalid_argument("merge: takes files and no options");
         }
         return chosen(*merging, o, formulas);
     } catch (const CLI::Success& asked) { // for help

@@ -124,7 +124,7 @@ endif()
 foreach(shard IN ITEMS 3/2 2/2 -1/2 0/0 1 /2 1/ a/b 0/2x)
     refuse("--shard ${shard}: i/n with 0 <= i < n expected" ${search} --shard ${shard})
 endforeach()
-refuse("--figure is needed" --goal error)
+refuse("--figure is missing" --goal error)
 refuse("no figure \"discriminant/carless/double\"; the nearest for the goal error: discriminant/careless/double"
     --figure discriminant/carless/double)
 refuse("discriminant/careless/double is about no decisions" --goal nearest --figure discriminant/careless/double)
@@ -142,6 +142,39 @@ endforeach()
 refuse("nowhere/found.txt" ${search} --out nowhere/found.txt)
 refuse("is a folder" ${search} --out .)
 
+foreach(range IN ITEMS 1 1:0.5 0:1 -1:1 1:inf 1e-3:1e3m)
+    refuse("the least and the greatest magnitude expected" --figure discriminant/careless/double --lengths=${range})
+endforeach()
+
+# Within ranges: every number of what is found is in them, and the origin's command has them.
+expect(0 "kept in within.txt" ${search} --lengths 0.001:1000 --velocities 0.01:100 --out within.txt)
+file(STRINGS "${WORK}/within.txt" lines)
+list(FILTER lines INCLUDE REGEX "^# origin: |^ball-ball ")
+foreach(line IN LISTS lines)
+    if(line MATCHES "^# origin" AND NOT line MATCHES "--lengths 0.001:1000 --velocities 0.01:100")
+        message(SEND_ERROR "an origin without its ranges: ${line}")
+    endif()
+    string(REGEX MATCHALL "p[-+][0-9]+" exponents "${line}")
+    foreach(exponent IN LISTS exponents)
+        string(REGEX REPLACE "^p[+]?" "" power "${exponent}")
+        if(NOT line MATCHES "^# " AND (power LESS -10 OR power GREATER 9)) # 0x0p+0 is within
+            message(SEND_ERROR "not within the ranges: ${line}")
+        endif()
+    endforeach()
+endforeach()
+refuse("another --out is needed" ${search} --lengths 0.001:100 --velocities 0.01:100 --out within.txt)
+
+# One process at a time.
+find_program(flock flock)
+if(flock)
+    execute_process(COMMAND "${flock}" -x "${WORK}/whole.txt.lock" "${PROGRAM}" ${search} --out whole.txt
+        WORKING_DIRECTORY "${WORK}" RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    if(NOT result EQUAL 2 OR NOT said MATCHES "whole.txt: another search is using this file")
+        message(SEND_ERROR "a second search on one file was not refused (${result}):\n${said}")
+    endif()
+    file(REMOVE "${WORK}/whole.txt.lock")
+endif()
+
 # Files that are another search's or none, or that end early.
 file(READ "${WORK}/whole.txt" whole)
 refuse("another --out is needed" ${search} --seed 2 --out whole.txt)
@@ -149,7 +182,7 @@ refuse("another --out is needed" ${search} --shard 0/2 --out whole.txt)
 refuse("merged" ${search} --out merged.txt)
 refuse("there-is-none.txt: cannot be read" merge all.txt there-is-none.txt)
 refuse("by-hand-0.txt: is to be written, but holds what" merge by-hand-0.txt by-hand-1.txt by-hand-2.txt)
-refuse("merge takes its files alone" --seed 3 merge all.txt whole.txt)
+refuse("merge: takes files and no options" --seed 3 merge all.txt whole.txt)
 refuse("in is required" merge whole.txt)
 expect(0 " basic blocks of work" --figure discriminant/careless/double --goal fallback --families generic --evaluations 50
     --tries 1 --out fallback.txt)
