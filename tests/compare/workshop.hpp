@@ -5,6 +5,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -52,6 +53,8 @@ class bench {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
     }
 
+    void copy_from(const fs::path& folder) const { fs::copy(folder, path_, fs::copy_options::recursive); }
+
     void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
 
   private:
@@ -59,5 +62,32 @@ class bench {
 };
 
 inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// Lines "arguments, a tab, what is said of them" of a list in tests/compare/bad, whose files are in the bench: each
+// ends with 2, prints nothing, and says it in one line. Those of the command run alone, or all others.
+inline void check_bad_lines(const bench& here, const std::string& list, bool of_run) {
+    std::ifstream in(here / list);
+    const std::size_t before = here.files();
+    std::size_t lines = 0;
+    for (std::string line; std::getline(in, line);) {
+        const auto tab = line.find('\t');
+        const bool is_run = line.starts_with("run ") || line.starts_with("run\t");
+        if (line.empty() || line[0] == '#' || is_run != of_run) {
+            continue;
+        }
+        REQUIRE(tab != std::string::npos);
+        ++lines;
+        const ending e = here.run(line.substr(0, tab));
+        INFO(line);
+        INFO(e.err);
+        CHECK(e.code == 2);
+        CHECK(e.out.empty());
+        CHECK(std::count(e.err.begin(), e.err.end(), '\n') == 1);
+        CHECK(e.err.starts_with("graze-compare: "));
+        CHECK(holds(e.err, line.substr(tab + 1)));
+        CHECK(here.files() == before);
+    }
+    CHECK(lines > 10);
+}
 
 } // namespace workshop
