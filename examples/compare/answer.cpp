@@ -1,9 +1,9 @@
 #include "answer.hpp"
 
+#include "text_table.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <tuple>
 
 namespace compare {
@@ -82,44 +82,33 @@ std::optional<choice> cheapest(const std::vector<overall>& candidates, Good good
 }
 
 std::string in_words(const choice& c) {
-    std::ostringstream out;
-    out << c.type << " (" << c.variant << ", " << c.root << " root, ";
-    if (c.nanoseconds < 1000) {
-        out << std::lround(c.nanoseconds) << " ns";
-    } else {
-        out << std::setprecision(3) << c.nanoseconds / 1000 << " us";
-    }
-    out << " a pair)";
-    return out.str();
+    const std::string form = c.variant.empty() ? "" : c.variant + ", " + c.root + " root, ";
+    return c.type + " (" + form + short_time(c.nanoseconds) + " a pair)";
 }
 
 std::string sentence_of(const results& found) {
-    std::ostringstream out;
     const auto timed = [](const row& r) { return r.nanoseconds.has_value(); };
     if (std::none_of(found.rows.begin(), found.rows.end(), timed)) {
-        return "Nothing was timed, so that no type is the cheapest.";
+        return "Nothing was timed, so no type is the cheapest.";
     }
     const bool times_are_due =
         std::any_of(found.rows.begin(), found.rows.end(), [](const row& r) { return times_of(r) > 0; });
     const std::string wanted = std::to_string(found.digits) + (found.digits == 1 ? " digit" : " digits");
-    if (!times_are_due && found.good_enough) {
-        out << "No time of impact is due here; the cheapest type with no wrong decision is "
-            << in_words(*found.good_enough);
-    } else if (found.good_enough) {
-        out << "The cheapest type with no wrong decision and every time good to " << wanted << " here is "
-            << in_words(*found.good_enough);
+    const std::string all_right =
+        times_are_due ? "no wrong decision and every time right to " + wanted : "no wrong decision";
+    std::string text = times_are_due ? "" : "No pair collides, so no time is needed. ";
+    if (!found.good_enough) {
+        text += "No measured type has " + all_right;
     } else {
-        out << "No measured type has no wrong decision and every time good to " << wanted << " here";
+        text += "The cheapest type with " + all_right + " is " + in_words(*found.good_enough);
     }
     if (!found.exact) {
-        out << "; none measured is exact.";
-    } else if (found.good_enough && found.exact->type == found.good_enough->type) {
-        out << ", and it is exact.";
-    } else {
-        out << (found.good_enough ? "; the cheapest that is exact is " : "; the cheapest exact type is ")
-            << in_words(*found.exact) << ".";
+        return text + "; no measured type has exact values.";
     }
-    return out.str();
+    if (found.good_enough && found.exact->type == found.good_enough->type) {
+        return text + ", and its values are exact.";
+    }
+    return text + "; the cheapest with exact values is " + in_words(*found.exact) + ".";
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "conditioning.hpp"
 
-#include <graze/linear/vec.hpp>
+#include "wide_vec.hpp"
 
 #include <limits>
 
@@ -10,14 +10,6 @@
 namespace compare {
 
 namespace {
-
-template <int N>
-using wide_vec = graze::vec<N, wide>;
-
-template <int N>
-wide_vec<N> widened(const graze::vec<N, exact>& x) {
-    return graze::make_vec<N>([&](int i) { return to_wide(x[i]); });
-}
 
 template <int N>
 wide_vec<N> magnitudes(const wide_vec<N>& x) {

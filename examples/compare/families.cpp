@@ -75,6 +75,7 @@ std::vector<problem<N>> draw_family(const std::string& name, std::size_t count, 
     problems.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         problems.push_back(to_problem<N>(found->draw<N>(seed, i), name));
+        problems.back().name = "pair " + std::to_string(i + 1);
     }
     return problems;
 }

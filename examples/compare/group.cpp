@@ -1,10 +1,13 @@
 #include "group.hpp"
 
+#include "scene_writer.hpp"
 #include "statistics.hpp"
+#include "told.hpp"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -69,6 +72,10 @@ group make_group(group_information information, std::vector<problem<N>> problems
         if (t.discriminant_condition) {
             samples.discriminants.push_back(*t.discriminant_condition);
         }
+        const bool has_time = graze::is_collision(t.what) && t.what != graze::encounter::overlap;
+        information.places.push_back({problems[i].number, problems[i].name, problems[i].hardness,
+                                      has_time ? std::optional(t.time.nearest()) : std::nullopt,
+                                      nearest_border(t.what, t.borders)});
         pairs.problems.push_back(std::move(problems[i]));
         pairs.truths.push_back(std::move(t));
     }
@@ -88,6 +95,52 @@ group make_group(group_information information, std::vector<problem<N>> problems
         information.conditions.push_back(written);
     }
     return {std::move(information), std::move(pairs)};
+}
+
+std::optional<pair_information> pair_of(const group& of, std::size_t number) {
+    return std::visit(
+        [&]<int N>(const group_pairs<N>& pairs) -> std::optional<pair_information> {
+            const auto at = std::find_if(pairs.problems.begin(), pairs.problems.end(),
+                                         [&](const auto& p) { return p.number == number; });
+            if (at == pairs.problems.end()) {
+                return std::nullopt;
+            }
+            const truth& right = pairs.truths[static_cast<std::size_t>(at - pairs.problems.begin())];
+            pair_information result;
+            result.number = number;
+            result.name = at->name;
+            result.kind = key_of(at->kind);
+            result.hardness = at->hardness;
+            result.encounter = told_decision(right);
+            const bool has_time = graze::is_collision(right.what) && right.what != graze::encounter::overlap;
+            result.time = has_time ? told_number(right.time) : "";
+            result.border = nearest_border(right.what, right.borders);
+            result.numbers = numbers_of_pair(*at);
+            result.scene = scene_of_pair(*at, of.information.name + ", " + at->name);
+            return result;
+        },
+        of.pairs);
+}
+
+void show_extremes(results& found, const std::vector<group>& groups) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        std::set<std::size_t> numbers;
+        if (groups[i].information.places.size() == 1) { // asked for by --pair, right or wrong
+            numbers.insert(groups[i].information.places.front().number);
+        }
+        for (const row& r : found.rows) {
+            for (const extreme_pair& e : r.extremes) {
+                if (r.group == groups[i].information.name) {
+                    numbers.insert(e.pair);
+                }
+            }
+        }
+        for (const std::size_t number : numbers) {
+            if (auto shown = pair_of(groups[i], number)) {
+                found.groups[i].shown.push_back(std::move(*shown));
+            }
+        }
+    }
 }
 
 template group make_group(group_information, std::vector<problem<2>>, const progress_line&);

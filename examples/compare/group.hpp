@@ -5,6 +5,7 @@
 #include "results.hpp"
 #include "truth.hpp"
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -23,9 +24,15 @@ struct group {
 };
 
 // Solves the pairs exactly, orders them and fills in what information says of them: dimension, pairs, kinds,
-// encounters, conditions. pairs_of is left alone.
+// encounters, conditions, places. pairs_of is left alone.
 template <int N>
 [[nodiscard]] group make_group(group_information information, std::vector<problem<N>> problems,
                                const progress_line& line);
+
+// The pair of this number (see pair_information), with all that is told of it; empty if the group does not hold it.
+[[nodiscard]] std::optional<pair_information> pair_of(const group& of, std::size_t number);
+
+// Fills in what the groups of the results show: the pairs that their rows are at their worst on.
+void show_extremes(results& found, const std::vector<group>& groups);
 
 } // namespace compare

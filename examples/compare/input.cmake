@@ -6,7 +6,7 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/default_scene_text.cpp.in ${CMAKE_CURRE
 
 find_package(nlohmann_json 3.11 REQUIRED)
 set(input default_scene.cpp exact_text.cpp families.cpp input_error.cpp integer_pairs.cpp json_tree.cpp json_value.cpp
-    pairs.cpp rounding.cpp scene_reader.cpp)
+    pairs.cpp rounding.cpp scene_reader.cpp scene_writer.cpp)
 add_library(compare_input STATIC ${input} ${CMAKE_CURRENT_BINARY_DIR}/default_scene_text.cpp)
 target_include_directories(compare_input PUBLIC ${CMAKE_CURRENT_LIST_DIR})
 target_link_libraries(compare_input

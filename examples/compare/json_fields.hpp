@@ -11,6 +11,26 @@ namespace compare {
 template <class S, class T>
 concept some = std::same_as<std::remove_const_t<S>, T>;
 
+// A field that has no value unless `known`: null in JSON.
+template <class T>
+struct where_known {
+    T& value;
+    bool known;
+    std::remove_const_t<T> unknown{}; // what stands for null
+};
+template <class T>
+where_known(T&, bool) -> where_known<T>;
+template <class T, class U>
+where_known(T&, bool, U) -> where_known<T>;
+
+// A field that files of version 1 do not have.
+template <class T>
+struct since_2 {
+    T& value;
+};
+template <class T>
+since_2(T&) -> since_2<T>;
+
 template <class F, some<error_statistics> S>
 void fields(F& field, S& s) {
     field("count", s.count);
@@ -18,11 +38,12 @@ void fields(F& field, S& s) {
     field("correctly_rounded", s.correctly_rounded);
     field("not_finite", s.not_finite);
     field("unscaled", s.unscaled);
-    field("median", s.median);
-    field("largest", s.largest);
-    field("median_bits", s.median_bits);
-    field("fewest_bits", s.fewest_bits);
-    field("quantiles", s.quantiles);
+    const bool any = s.count > 0;
+    field("median", where_known{s.median, any});
+    field("largest", where_known{s.largest, any});
+    field("median_bits", where_known{s.median_bits, any});
+    field("fewest_bits", where_known{s.fewest_bits, any});
+    field("quantiles", where_known{s.quantiles, any});
     field("histogram", s.histogram);
 }
 
@@ -30,8 +51,8 @@ template <class F, some<defect_statistics> S>
 void fields(F& field, S& s) {
     field("count", s.count);
     field("zero", s.zero);
-    field("median", s.median);
-    field("largest", s.largest);
+    field("median", where_known{s.median, s.count > 0});
+    field("largest", where_known{s.largest, s.count > 0});
 }
 
 template <class F, some<decision_counts> S>
@@ -48,7 +69,7 @@ void fields(F& field, S& s) {
 template <class F, some<cell> S>
 void fields(F& field, S& s) {
     field("kind", s.kind);
-    field("hardness", s.hardness);
+    field("hardness", where_known{s.hardness, s.hardness >= 0, -1});
     field("evaluated", s.evaluated);
     field("wrong", s.wrong);
     field("undecided", s.undecided);
@@ -56,6 +77,16 @@ void fields(F& field, S& s) {
     field("time_largest", s.time_largest);
     field("discriminant_median", s.discriminant_median);
     field("discriminant_largest", s.discriminant_largest);
+}
+
+template <class F, some<extreme_pair> S>
+void fields(F& field, S& s) {
+    field("what", s.what);
+    field("which", s.which);
+    field("pair", s.pair);
+    field("error", where_known{s.error, s.which == "largest"});
+    field("right", s.right);
+    field("said", s.said);
 }
 
 template <class F, some<row> S>
@@ -71,11 +102,13 @@ void fields(F& field, S& s) {
     field("momentum", s.momentum);
     field("energy", s.energy);
     field("nanoseconds", s.nanoseconds);
-    field("nanoseconds_low", s.nanoseconds_low);
-    field("nanoseconds_high", s.nanoseconds_high);
+    field("nanoseconds_low", where_known{s.nanoseconds_low, s.nanoseconds.has_value()});
+    field("nanoseconds_high", where_known{s.nanoseconds_high, s.nanoseconds.has_value()});
     field("timed_pairs", s.timed_pairs);
     field("repeats", s.repeats);
+    field("repeated", since_2{s.repeated});
     field("cells", s.cells);
+    field("extremes", since_2{s.extremes});
     field("on_front", s.on_front);
 }
 
@@ -104,12 +137,32 @@ void fields(F& field, S& s) {
 template <class F, some<conditioning> S>
 void fields(F& field, S& s) {
     field("kind", s.kind);
-    field("hardness", s.hardness);
+    field("hardness", where_known{s.hardness, s.hardness >= 0, -1});
     field("count", s.count);
     field("time_median", s.time_median);
     field("time_largest", s.time_largest);
     field("discriminant_median", s.discriminant_median);
     field("discriminant_largest", s.discriminant_largest);
+}
+
+template <class F, some<named_number> S>
+void fields(F& field, S& s) {
+    field("name", s.name);
+    field("decimal", s.decimal);
+    field("hexadecimal", where_known{s.hexadecimal, !s.hexadecimal.empty()});
+}
+
+template <class F, some<pair_information> S>
+void fields(F& field, S& s) {
+    field("number", s.number);
+    field("name", s.name);
+    field("kind", s.kind);
+    field("hardness", where_known{s.hardness, s.hardness >= 0, -1});
+    field("encounter", s.encounter);
+    field("time", where_known{s.time, !s.time.empty()});
+    field("border", s.border);
+    field("numbers", s.numbers);
+    field("scene", s.scene);
 }
 
 template <class F, some<group_information> S>
@@ -123,6 +176,7 @@ void fields(F& field, S& s) {
     field("encounters", s.encounters);
     field("hardness_name", s.hardness_name);
     field("conditions", s.conditions);
+    field("shown", since_2{s.shown});
 }
 
 template <class F, some<choice> S>
@@ -152,6 +206,8 @@ void fields(F& field, S& s) {
 template <class F, some<results> S>
 void fields(F& field, S& s) {
     field("command", s.command);
+    field("program", since_2{s.program});
+    field("inputs", since_2{s.inputs});
     field("machine", s.machine);
     field("source", s.source);
     field("as", s.as);

@@ -3,15 +3,20 @@
 #include "input_error.hpp"
 #include "json_fields.hpp"
 #include "json_tree.hpp"
+#include "whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <limits>
+#include <thread>
 
 namespace compare {
 
@@ -46,6 +51,14 @@ struct field_writer {
     template <class T>
     void operator()(const char* name, const T& x) {
         object[name] = written(x);
+    }
+    template <class T>
+    void operator()(const char* name, where_known<T> x) {
+        object[name] = x.known ? written(x.value) : json(nullptr);
+    }
+    template <class T>
+    void operator()(const char* name, since_2<T> x) {
+        object[name] = written(x.value);
     }
 };
 
@@ -98,9 +111,10 @@ json written(const T& x) {
 struct place {
     const std::string& file;
     std::string pointer;
+    int version = schema_version; // of the file
     [[noreturn]] void fail(const std::string& what) const { fail_at(file, pointer, what); }
-    [[nodiscard]] place at(const std::string& key) const { return {file, pointer_to(pointer, key)}; }
-    [[nodiscard]] place at(std::size_t index) const { return {file, pointer_to(pointer, index)}; }
+    [[nodiscard]] place at(const std::string& key) const { return {file, pointer_to(pointer, key), version}; }
+    [[nodiscard]] place at(std::size_t index) const { return {file, pointer_to(pointer, index), version}; }
 };
 
 void need(const json_node& node, json_type type, const char* name, const place& here) {
@@ -126,13 +140,35 @@ struct field_reader {
     const place& here;
     template <class T>
     void operator()(const char* name, T& x) {
+        take(*found(name), here.at(name), x);
+    }
+    template <class T>
+    void operator()(const char* name, where_known<T> x) {
+        const json_node& value = *found(name);
+        if (value.type == json_type::null) {
+            x.value = x.unknown;
+        } else {
+            take(value, here.at(name), x.value);
+        }
+    }
+    template <class T>
+    void operator()(const char* name, since_2<T> x) {
+        if (const json_node* value = found(name, here.version == 1)) {
+            take(*value, here.at(name), x.value);
+        }
+    }
+
+  private:
+    [[nodiscard]] const json_node* found(const char* name, bool may_miss = false) const {
         for (std::size_t i = 0; i < node.keys.size(); ++i) {
             if (node.keys[i] == name) {
-                take(node.items[i], here.at(name), x);
-                return;
+                return &node.items[i];
             }
         }
-        here.fail("the key \"" + std::string(name) + "\" is missing");
+        if (!may_miss) {
+            here.fail("the key \"" + std::string(name) + "\" is missing");
+        }
+        return nullptr;
     }
 };
 
@@ -227,29 +263,64 @@ std::string to_json(const results& found) {
     return writer.object.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
+std::string to_benchmark_json(const results& found) {
+    json benchmarks = json::array();
+    std::size_t family = 0;
+    for (const row& r : found.rows) {
+        const std::string name = r.group + "/" + r.type + "/" + r.variant + "/" + r.root;
+        for (std::size_t i = 0; i < r.repeated.size(); ++i) {
+            benchmarks.push_back({{"name", name},
+                                  {"family_index", family},
+                                  {"per_family_instance_index", 0},
+                                  {"run_name", name},
+                                  {"run_type", "iteration"},
+                                  {"repetitions", r.repeated.size()},
+                                  {"repetition_index", i},
+                                  {"threads", 1},
+                                  {"iterations", r.timed_pairs},
+                                  {"real_time", r.repeated[i]},
+                                  {"cpu_time", r.repeated[i]},
+                                  {"time_unit", "ns"}});
+        }
+        family += r.repeated.empty() ? 0 : 1;
+    }
+    const json context = {{"date", found.machine.date},
+                          {"host_name", found.machine.system},
+                          {"executable", found.program + found.inputs},
+                          {"num_cpus", std::thread::hardware_concurrency()},
+                          {"mhz_per_cpu", 0},
+                          {"cpu_scaling_enabled", false},
+                          {"caches", json::array()},
+                          {"load_avg", json::array()},
+                          {"library_build_type", "release"}};
+    return json{{"context", context}, {"benchmarks", benchmarks}}.dump(1, ' ', false, json::error_handler_t::replace) +
+           "\n";
+}
+
 results read_results(const std::string& path) {
-    if (std::error_code error; std::filesystem::is_directory(path, error)) {
+    const bool is_stream = path == standard_stream;
+    const std::string file = is_stream ? "the standard input" : path;
+    if (std::error_code error; !is_stream && std::filesystem::is_directory(path, error)) {
         throw input_error(printable(path, 200) + ": is a directory");
     }
     std::ifstream in(path, std::ios::binary);
-    if (!in) {
-        throw input_error(printable(path, 200) + ": cannot be read");
+    if (!is_stream && !in) {
+        throw input_error(printable(path, 200) + ": cannot be read: " + std::strerror(errno));
     }
-    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    const json_node root = parse_json(text, path, 4096); // a histogram may have a key for every power of two
-    const place top{path, ""};
+    const std::string text{std::istreambuf_iterator<char>(is_stream ? std::cin : in), std::istreambuf_iterator<char>()};
+    const json_node root = parse_json(text, file, 4096); // a histogram may have a key for every power of two
+    place top{file, ""};
     need(root, json_type::object, "an object", top);
     std::string schema;
-    int version = 0;
     field_reader reader{root, top};
     reader("schema", schema);
     if (schema != schema_name) {
         top.at("schema").fail("\"" + std::string(schema_name) + "\" expected: not a comparison");
     }
-    reader("version", version);
-    if (version != schema_version) {
-        top.at("version").fail("version " + std::to_string(schema_version) + " expected, not " +
-                               std::to_string(version));
+    reader("version", top.version);
+    if (top.version < 1 || top.version > schema_version) {
+        top.at("version").fail("versions 1 to " + std::to_string(schema_version) + " can be read, not " +
+                               std::to_string(top.version));
     }
     results found;
     fields(reader, found);

@@ -12,4 +12,8 @@ namespace compare {
 // Throws input_error that names the file, the place in it and what is wrong.
 [[nodiscard]] results read_results(const std::string& path);
 
+// The times in the format of Google Benchmark's --benchmark_format=json: each repeat of each row, so that its
+// compare.py reads them.
+[[nodiscard]] std::string to_benchmark_json(const results& found);
+
 } // namespace compare

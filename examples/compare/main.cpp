@@ -2,6 +2,7 @@
 
 #include "answer.hpp"
 #include "diff.hpp"
+#include "extremes.hpp"
 #include "families.hpp"
 #include "input_error.hpp"
 #include "inputs.hpp"
@@ -23,6 +24,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -60,15 +62,48 @@ std::vector<measurable> types_of(const options& o) {
     return chosen;
 }
 
+// How the user calls this program: a script that does says so.
+std::string called() {
+    const char* script = std::getenv("GRAZE_COMPARE_CALLED");
+    return script == nullptr ? "graze-compare" : script;
+}
+
+// The options that choose the pairs.
+std::string inputs_of(const options& o) {
+    std::string text;
+    if (!o.family.empty()) {
+        text += " --family " + quoted(o.family) + " --count " + std::to_string(o.count) + " --dimension " +
+                std::to_string(o.dimension);
+    } else if (!o.scene.empty()) {
+        text += " " + quoted(o.scene);
+    }
+    text += o.numbers == number_input::exactly ? " --as exact" : "";
+    text += o.all ? " --all" : "";
+    return text + (o.seed != 1 ? " --seed " + std::to_string(o.seed) : "");
+}
+
+// Whether the standard output is a file's; it then holds nothing else.
+bool writes_to_stream(const options& o) {
+    return o.json == standard_stream || o.report == standard_stream || o.picture == standard_stream ||
+           o.benchmark_json == standard_stream;
+}
+
 void check_outputs(const options& o) {
     namespace fs = std::filesystem;
-    const std::array<std::pair<std::string, std::string>, 4> files = {
-        {{"the scene", o.scene}, {"--json", o.json}, {"--report", o.report}, {"--picture", o.picture}}};
+    const std::array<std::pair<std::string, std::string>, 5> files = {{{"the scene", o.scene},
+                                                                       {"--json", o.json},
+                                                                       {"--report", o.report},
+                                                                       {"--picture", o.picture},
+                                                                       {"--benchmark-json", o.benchmark_json}}};
+    if (!o.pairs_folder.empty() && fs::exists(o.pairs_folder) && !fs::is_directory(o.pairs_folder)) {
+        throw input_error("--pairs " + printable(o.pairs_folder, 200) + ": is not a folder");
+    }
     for (auto one = files.begin() + 1; one != files.end(); ++one) {
         check_writable(one->first, one->second);
         for (auto earlier = files.begin(); earlier != one; ++earlier) {
             std::error_code error;
             if (!one->second.empty() && !earlier->second.empty() &&
+                earlier->first + earlier->second != std::string("the scene") + standard_stream &&
                 fs::weakly_canonical(fs::absolute(earlier->second), error) ==
                     fs::weakly_canonical(fs::absolute(one->second), error)) {
                 throw input_error(earlier->first + " and " + one->first + ": the same file");
@@ -77,23 +112,24 @@ void check_outputs(const options& o) {
     }
 }
 
-// What takes long comes last, after a table of the others.
+// What takes long comes last, after a table of the others where one is shown.
 void measure_in_two_parts(results& found, const std::vector<measurable>& types, const std::vector<group>& groups,
-                          const measurement_plan& plan, const progress_line& line, const table_options& table) {
+                          const measurement_plan& plan, const progress_line& line, const table_options* shown) {
     std::vector<measurable> soon = types;
     const auto late = std::stable_partition(soon.begin(), soon.end(), [](const auto& m) { return !m.takes_long; });
     const std::vector<measurable> later(late, soon.end());
     soon.erase(late, soon.end());
     measure_all(found, soon, groups, plan, line);
     line.show("");
-    if (!soon.empty() && !later.empty() && !run::interrupted()) {
+    if (shown != nullptr && !soon.empty() && !later.empty() && !run::interrupted()) {
         results first = found;
         draw_conclusions(first);
-        std::cout << to_text(first, table);
+        std::cout << to_text(first, *shown);
         std::cout << "\nDecimal and rational types take longer, up to some "
                   << std::lround(static_cast<double>(later.size() * groups.size()) *
                                  (plan.scoring_seconds + plan.timing_seconds))
-                  << " s for these " << later.size() << ". Ctrl-C stops them; what has been measured is kept.\n\n"
+                  << " s for " << (later.size() == 1 ? "this one" : "these " + std::to_string(later.size()))
+                  << ". Ctrl-C stops them; what has been measured is kept.\n\n"
                   << std::flush;
     }
     if (!later.empty()) {
@@ -118,8 +154,13 @@ int run_comparison(const options& o) {
     const std::vector<measurable> types = types_of(o);
     const std::vector<group> groups = groups_of(o, line);
     found.command = o.command;
+    found.program = called();
+    found.inputs = inputs_of(o);
     found.machine = this_machine();
-    found.source = !o.family.empty() ? "family " + o.family : !o.scene.empty() ? o.scene : "default";
+    found.source = !o.family.empty()            ? "family " + o.family
+                   : o.scene == standard_stream ? "the standard input"
+                   : !o.scene.empty()           ? o.scene
+                                                : "default";
     found.as = o.numbers == number_input::exactly ? "exact" : "double";
     found.seed = o.seed;
     found.digits = o.digits;
@@ -132,16 +173,26 @@ int run_comparison(const options& o) {
     plan.every_pair = o.all;
     plan.timing_seconds = o.timing;
     run::note_interruptions();
-    measure_in_two_parts(found, types, groups, plan, line, o.table);
+    const bool in_two = !writes_to_stream(o) && !o.pair;
+    measure_in_two_parts(found, types, groups, plan, line, in_two ? &o.table : nullptr);
     draw_conclusions(found);
+    show_extremes(found, groups);
     found.seconds = watch.seconds();
+    if (!o.pairs_folder.empty()) {
+        write_pairs(found, o.pairs_folder);
+    }
     if (!o.json.empty()) {
         write_whole_file(o.json, to_json(found));
+    }
+    if (!o.benchmark_json.empty()) {
+        write_whole_file(o.benchmark_json, to_benchmark_json(found));
     }
     if (!o.report.empty()) {
         write_report(found, o.report);
     }
-    std::cout << to_text(found, o.table);
+    if (!writes_to_stream(o)) {
+        std::cout << to_text(found, o.table);
+    }
     if (!o.picture.empty()) { // last: without gnuplot this one fails
         write_picture(found, o.picture);
     }
@@ -149,11 +200,28 @@ int run_comparison(const options& o) {
 }
 
 int run_diff(const options& o) {
-    const difference found = compare_results(read_results(o.old_results), read_results(o.new_results));
-    if (found.compared == 0) {
-        throw input_error(o.new_results + ": no row in common with " + o.old_results);
+    check_writable("--report", o.diff_report);
+    std::vector<results> all;
+    for (const std::string& file : o.result_files) {
+        all.push_back(read_results(file));
     }
-    std::cout << to_text(found);
+    const auto shown = [&](std::size_t i) { return printable(o.result_files[i], 200); };
+    const std::size_t last = all.size() - 1;
+    // With more than two, the last one against the one before.
+    const difference found = compare_results(all[last - 1], all[last]);
+    if (found.compared == 0) {
+        throw input_error(shown(last) + ": no row in common with " + shown(last - 1));
+    }
+    if (!o.diff_report.empty()) {
+        write_diff_report(all, o.result_files, found, o.diff_report);
+    }
+    if (o.diff_report != standard_stream) {
+        if (all.size() > 2) {
+            std::cout << history_text(all, o.result_files) << "\n"
+                      << shown(last) << " beside " << shown(last - 1) << ":\n";
+        }
+        std::cout << to_text(found);
+    }
     return found.worse.empty() ? 0 : worse;
 }
 
@@ -212,8 +280,8 @@ int act(int argc, char** argv) {
     case action::list_families:
         list_families();
         break;
-    case action::help:
-        std::cout << o.help;
+    case action::say:
+        std::cout << o.said;
         break;
     }
     return 0;

@@ -13,11 +13,11 @@
 
 namespace compare {
 
-enum class action { compare, diff, run, list_types, list_families, help };
+enum class action { compare, diff, run, list_types, list_families, say };
 
 struct options {
     action what = action::compare;
-    std::string help; // its text
+    std::string said; // the help or the version
     std::string scene, family;
     std::size_t count = 2000;
     std::uint64_t seed = 1;
@@ -29,9 +29,11 @@ struct options {
     table_options table;
     int digits = 15;
     double timing = 0.5;
-    std::string json, report, picture;
-    std::string old_results, new_results; // of diff
-    std::string command;                  // as typed
+    std::optional<std::size_t> pair; // this one alone, by its number
+    std::string json, report, picture, benchmark_json, pairs_folder;
+    std::vector<std::string> result_files; // of diff, from the earliest on
+    std::string diff_report;
+    std::string command; // as typed
 };
 
 // Throws input_error that names the option and what is wrong with it.

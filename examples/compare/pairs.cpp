@@ -1,6 +1,7 @@
 #include "pairs.hpp"
 
 #include "../families/random.hpp"
+#include "input_error.hpp"
 #include "integer_pairs.hpp"
 
 #include <algorithm>
@@ -17,27 +18,76 @@ std::size_t stratum_index(pair_kind kind, graze::encounter what) {
     return static_cast<std::size_t>(kind) * encounters + static_cast<std::size_t>(what);
 }
 
-// Calls f(kind, i, j) for each pair in a fixed order: ball i with ball, plane or wall j.
-template <int N, class F>
-void for_each_pair(const exact_scene<N>& scene, F f) {
-    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-        for (std::size_t j = i + 1; j < scene.balls.size(); ++j) {
-            if (scene.balls[i].inverse_mass.is_zero() && scene.balls[j].inverse_mass.is_zero()) {
-                continue;
+constexpr std::size_t drawn_at_first = 400'000;
+
+struct place_of_pair {
+    pair_kind kind;
+    std::size_t i, j; // ball i with ball, plane or wall j
+};
+
+// The pairs of a scene in a fixed order: of each ball those with later balls, with planes and with walls. All of them,
+// or some drawn at random. Two infinite masses are no pair.
+template <int N>
+class candidates {
+  public:
+    candidates(const exact_scene<N>& scene, families::random& random, std::uint64_t most) : scene_(scene) {
+        std::uint64_t last = 0;
+        for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+            last += scene.balls.size() - 1 - i + scene.planes.size() + scene.walls.size();
+            last_of_ball_.push_back(last);
+        }
+        if (last <= most) {
+            return;
+        }
+        for (std::size_t n = 0; n < drawn_at_first; ++n) {
+            drawn_.push_back(random.below(last));
+        }
+        std::sort(drawn_.begin(), drawn_.end());
+        drawn_.erase(std::unique(drawn_.begin(), drawn_.end()), drawn_.end());
+    }
+
+    template <class F>
+    void for_each(F f) const {
+        const auto give = [&](const place_of_pair& p) {
+            const auto infinite = [&](std::size_t k) { return scene_.balls[k].inverse_mass.is_zero(); };
+            if (p.kind != pair_kind::ball_ball || !infinite(p.i) || !infinite(p.j)) {
+                f(p);
             }
-            f(pair_kind::ball_ball, i, j);
+        };
+        if (!drawn_.empty()) {
+            std::for_each(drawn_.begin(), drawn_.end(), [&](std::uint64_t index) { give(at(index)); });
+            return;
         }
-        for (std::size_t j = 0; j < scene.planes.size(); ++j) {
-            f(pair_kind::ball_plane, i, j);
-        }
-        for (std::size_t j = 0; j < scene.walls.size(); ++j) {
-            f(pair_kind::ball_wall, i, j);
+        for (std::size_t i = 0; i < scene_.balls.size(); ++i) {
+            const std::uint64_t others = last_of_ball_[i] - (i == 0 ? 0 : last_of_ball_[i - 1]);
+            for (std::uint64_t j = 0; j < others; ++j) {
+                give(of_ball(i, j));
+            }
         }
     }
-}
+
+  private:
+    const exact_scene<N>& scene_;
+    std::vector<std::uint64_t> last_of_ball_, drawn_;
+
+    [[nodiscard]] place_of_pair at(std::uint64_t index) const {
+        const auto ball = std::upper_bound(last_of_ball_.begin(), last_of_ball_.end(), index);
+        return of_ball(static_cast<std::size_t>(ball - last_of_ball_.begin()),
+                       index - (ball == last_of_ball_.begin() ? 0 : *(ball - 1)));
+    }
+    [[nodiscard]] place_of_pair of_ball(std::size_t i, std::uint64_t other) const {
+        const std::size_t later = scene_.balls.size() - 1 - i;
+        const auto j = static_cast<std::size_t>(other);
+        return j < later ? place_of_pair{pair_kind::ball_ball, i, i + 1 + j}
+               : j < later + scene_.planes.size()
+                   ? place_of_pair{pair_kind::ball_plane, i, j - later}
+                   : place_of_pair{pair_kind::ball_wall, i, j - later - scene_.planes.size()};
+    }
+};
 
 template <int N>
-graze::encounter decide(const integer_scene<N>& scene, pair_kind kind, std::size_t i, std::size_t j) {
+graze::encounter decide(const integer_scene<N>& scene, const place_of_pair& p) {
+    const auto [kind, i, j] = p;
     switch (kind) {
     case pair_kind::ball_plane:
         return encounter_with_plane<N>(scene.balls[i], scene.planes[j]);
@@ -49,11 +99,13 @@ graze::encounter decide(const integer_scene<N>& scene, pair_kind kind, std::size
 }
 
 template <int N>
-problem<N> make_problem(const exact_scene<N>& scene, pair_kind kind, std::size_t i, std::size_t j,
-                        const std::string& group) {
+problem<N> make_problem(const exact_scene<N>& scene, const place_of_pair& p, const std::string& group) {
+    const auto [kind, i, j] = p;
     problem<N> result;
     result.kind = kind;
     result.group = group;
+    const char* other = kind == pair_kind::ball_ball ? "ball " : kind == pair_kind::ball_plane ? "plane " : "wall ";
+    result.name = "ball " + std::to_string(i) + " and " + other + std::to_string(j);
     result.a = scene.balls[i];
     switch (kind) {
     case pair_kind::ball_ball:
@@ -98,34 +150,41 @@ scene_pairs<N> pairs_of(const exact_scene<N>& scene, const std::string& group, s
         strata[i] = {static_cast<pair_kind>(i / encounters), static_cast<graze::encounter>(i % encounters), 0, 0};
     }
     scene_pairs<N> result;
+    const auto infinite = static_cast<std::uint64_t>(std::count_if(
+        scene.balls.begin(), scene.balls.end(), [](const exact_ball<N>& b) { return b.inverse_mass.is_zero(); }));
+    result.both_infinite = infinite * (infinite == 0 ? 0 : infinite - 1) / 2;
+    const std::uint64_t balls = scene.balls.size();
+    result.total = balls * (balls - 1) / 2 + balls * (scene.planes.size() + scene.walls.size()) - result.both_infinite;
+    if (largest == every_pair && result.total > most_measured) {
+        throw input_error("--all: the scene has " + std::to_string(result.total) +
+                          " pairs, more than the 1000000 that can be measured; without --all a sample is");
+    }
+
+    families::random random(seed);
+    const candidates<N> all(scene, random, most_classified);
     const integer_scene<N> integers = to_integers<N>(scene);
     std::vector<unsigned char> stratum_of;
-    for_each_pair<N>(scene, [&](pair_kind kind, std::size_t i, std::size_t j) {
-        const std::size_t index = stratum_index(kind, decide<N>(integers, kind, i, j));
+    all.for_each([&](const place_of_pair& p) {
+        const std::size_t index = stratum_index(p.kind, decide<N>(integers, p));
         ++strata[index].total;
         stratum_of.push_back(static_cast<unsigned char>(index));
     });
-    result.total = stratum_of.size();
-    share_out(strata, std::min<std::uint64_t>(largest, result.total));
+    result.classified = stratum_of.size();
+    share_out(strata, std::min<std::uint64_t>(largest, result.classified));
 
     // Each pair is taken with the chance that fills its stratum (selection sampling, Knuth's algorithm S).
-    families::random random(seed);
     std::array<stratum, kinds* encounters> left = strata;
     std::size_t at = 0;
-    for_each_pair<N>(scene, [&](pair_kind kind, std::size_t i, std::size_t j) {
+    all.for_each([&](const place_of_pair& p) {
         stratum& here = left[stratum_of[at++]];
         if (here.taken != 0 && random.below(here.total) < here.taken) {
-            result.pairs.push_back(make_problem<N>(scene, kind, i, j, group));
+            result.pairs.push_back(make_problem<N>(scene, p, group));
             --here.taken;
         }
         --here.total;
     });
     std::copy_if(strata.begin(), strata.end(), std::back_inserter(result.strata),
                  [](const stratum& s) { return s.total != 0; });
-
-    const auto infinite = static_cast<std::uint64_t>(std::count_if(
-        scene.balls.begin(), scene.balls.end(), [](const exact_ball<N>& b) { return b.inverse_mass.is_zero(); }));
-    result.both_infinite = infinite * (infinite == 0 ? 0 : infinite - 1) / 2;
     return result;
 }
 
@@ -146,7 +205,7 @@ graze::encounter encounter_of_pair(const problem<N>& pair) {
         scene.walls.push_back(pair.wall);
         break;
     }
-    return decide<N>(to_integers<N>(scene), pair.kind, 0, other);
+    return decide<N>(to_integers<N>(scene), {pair.kind, 0, other});
 }
 
 template scene_pairs<2> pairs_of<2>(const exact_scene<2>&, const std::string&, std::size_t, std::uint64_t);

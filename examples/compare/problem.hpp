@@ -10,6 +10,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct problem {
     graze::wall<N, exact> wall;
     std::string group;
     int hardness = -1;
+    std::string name = {};  // "ball 3 and wall 0"; of a family "pair 17"
+    std::size_t number = 0; // over all groups, from 1 on
 };
 
 } // namespace compare

@@ -1,5 +1,7 @@
 #include "report.hpp"
 
+#include "report/dots.hpp"
+#include "report/dots_words.hpp"
 #include "report/gnuplot.hpp"
 #include "report/pictures.hpp"
 #include "report/style.hpp"
@@ -43,6 +45,7 @@ class page {
     void section(const std::string& id, const std::string& head, const std::function<void()>& content);
     // A table that is closed at first; nothing where it is empty.
     void fold(const std::string& summary, const std::string& table);
+    void dots(const std::string& data);
     void pictures();
     void tables();
 };
@@ -165,13 +168,41 @@ void page::pictures() {
         panels([&](const group_information& g) { return distribution_picture(found_, g); });
     });
     section("hardness", words::hardness, [&] {
+        if (std::ranges::all_of(found_.groups, [](const auto& g) { return g.hardness_name.empty(); })) {
+            add("<p class=\"under\">Nothing to draw: these pairs have no hardness. The pairs of a family have "
+                "one.</p>\n");
+            return;
+        }
         key();
         add("<h3>The time of impact</h3>\n");
         panels([&](const group_information& g) { return hardness_picture(found_, g, quantity::time); });
         add("<h3>The discriminant</h3>\n");
         panels([&](const group_information& g) { return hardness_picture(found_, g, quantity::discriminant); });
     });
+    if (const std::string data = dots_data(found_); !data.empty()) {
+        section("dots", words::dots, [&] { dots(data); });
+    }
     section("tables", words::tables, [&] { tables(); });
+}
+
+// The script fills it in; without one there is a line that says so.
+void page::dots(const std::string& data) {
+    const std::string remark = dots_remark(found_);
+    add(remark.empty() ? "" : "<p class=\"under\">" + escaped(remark) + "</p>\n");
+    add("<noscript><p class=\"under\">Drawing the dots takes JavaScript.</p></noscript>\n<div "
+        "class=\"controls\"></div>\n"
+        "<div class=\"panels\">\n");
+    for (const auto& [key, name] :
+         {std::pair("hardness", "The error of the time against the hardness"),
+          std::pair("time", "The error of the time against the true time"),
+          std::pair("border", "The error of the time against the distance from the border")}) {
+        add(std::string("<figure class=\"") + key +
+            "\"><svg class=\"dots-of-pairs\" viewBox=\"0 0 360 300\" role=\"img\" "
+            "aria-label=\"" +
+            name + "\"></svg></figure>\n");
+    }
+    add("</div>\n<output></output>\n<div class=\"card\"></div>\n<script type=\"application/json\" id=\"pairs-data\">" +
+        data + "</script>\n");
 }
 
 void page::fold(const std::string& summary, const std::string& table) {
@@ -200,7 +231,8 @@ std::string page::html() {
             ". The tables below are complete.</p>\n");
     }
     return std::string(words::before_title) + "<title>graze: " + escaped(found_.source) + "</title>\n<style>\n" +
-           style() + "</style>\n</head>\n<body>\n<main>\n" + body_ + rest + words::after_all;
+           style() + "</style>\n</head>\n<body>\n<main>\n" + body_ + rest + words::after_all +
+           (rest.find("id=\"pairs-data\"") == std::string::npos ? "" : words::dots_script) + words::end;
 }
 
 } // namespace

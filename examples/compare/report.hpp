@@ -1,6 +1,7 @@
 // The report of a comparison: one HTML page that needs nothing else.
 #pragma once
 
+#include "diff.hpp"
 #include "results.hpp"
 
 #include <string>
@@ -23,5 +24,10 @@ void write_picture(const results& found, const std::string& path);
 // "distribution-" and "hardness-" with the name of each group. Those that have nothing to draw are left out. Returns
 // the paths. Throws std::runtime_error.
 std::vector<std::string> write_pictures(const results& found, const std::string& stem);
+
+// The differences of the last two results as one page, and the history of all; `found` is compare_results of these two.
+// names: what each is called. Throws std::runtime_error.
+void write_diff_report(const std::vector<results>& all, const std::vector<std::string>& names, const difference& found,
+                       const std::string& path);
 
 } // namespace compare

@@ -2,6 +2,8 @@
 // docs/reference/compare-json.md describes the same fields as JSON.
 #pragma once
 
+#include "type_information.hpp"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -11,7 +13,7 @@
 
 namespace compare {
 
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
 
 // discriminant: D. time: τ of two balls. crossing: the time at which a ball meets a plane or a wall. position: of the
 // centres at contact. velocity: of the balls after it.
@@ -71,6 +73,19 @@ struct cell {
     std::optional<double> discriminant_median, discriminant_largest;
 };
 
+// Where a pair has no error of its time.
+inline constexpr float dot_absent = -1.0F; // no time is due, or the pair was not measured
+inline constexpr float dot_wrong = -2.0F, dot_open = -3.0F;
+
+// A pair on which a row is at its worst.
+struct extreme_pair {
+    std::string what;        // a quantity, or a kind of wrong decision: "approaching", "overlap", "hit_or_miss", ...
+    std::string which;       // of a quantity "largest"; of a wrong decision "nearest" and "farthest", from the border
+    std::size_t pair = 0;    // its number, as in pair_information
+    double error = 0;        // of a quantity, units of the last place; infinite where there is no finite number
+    std::string right, said; // the true answer and the type's
+};
+
 // One number type in one variant of the formulas on one group of pairs.
 struct row {
     std::string type;    // type_information::name
@@ -85,24 +100,15 @@ struct row {
     std::optional<double> nanoseconds;                // of a whole solve: median of the repeats
     double nanoseconds_low = 0, nanoseconds_high = 0; // the quartiles of the repeats
     std::size_t timed_pairs = 0, repeats = 0;
+    std::vector<double> repeated; // nanoseconds of each repeat, in the order of measurement
     std::vector<cell> cells;
+    std::vector<extreme_pair> extremes;
+    // The error of τ or the crossing of each pair, in the order of group_information::places; in units of the last
+    // place, or a dot_* below. A report draws them; the JSON leaves them out.
+    std::vector<float> dots;
     bool on_front = false; // in this group nothing is both faster and better (wrong decisions, then the largest error)
     [[nodiscard]] const error_statistics& error(quantity q) const { return errors[static_cast<std::size_t>(q)]; }
     [[nodiscard]] error_statistics& error(quantity q) { return errors[static_cast<std::size_t>(q)]; }
-};
-
-struct type_information {
-    std::string name;
-    std::string library; // "built in", "Boost", "GMP", "MPFR", "CGAL", "QD", "example"
-    bool is_exact = false;
-    bool is_interval = false;
-    int digits = 0; // bits of the significand; 0 where there is no such number
-    bool has_sqrt = false, has_fma = false;
-    std::size_t bytes = 0;      // sizeof one value
-    std::size_t real_bytes = 0; // sizeof what τ is held in (a sqrt_extension where the type has no root)
-    bool uses_heap = false;     // a value owns more than its bytes
-    std::string alias_of;       // another name in this list of which this is the same type: not measured, not counted
-    std::string note;
 };
 
 struct missing_type {
@@ -120,6 +126,33 @@ struct conditioning {
     std::optional<double> discriminant_median, discriminant_largest;
 };
 
+// A number of a pair: exact decimals or a fraction, and the hexadecimal float where it is a double.
+struct named_number {
+    std::string name, decimal, hexadecimal;
+};
+
+// A pair that some row is at its worst on.
+struct pair_information {
+    std::size_t number = 0; // for --pair: counted over all groups from 1 on
+    std::string name;       // "ball 3 and wall 0"; of a family "pair 17"
+    std::string kind;       // "ball_ball", "ball_plane", "ball_wall"
+    int hardness = -1;
+    std::string encounter; // in truth
+    std::string time;      // in decimals; empty where there is none
+    double border = 0;     // the relative distance from where the decision changes
+    std::vector<named_number> numbers;
+    std::string scene; // a scene file with this pair alone
+};
+
+// Where a pair's dot stands in the report.
+struct pair_place {
+    std::size_t number = 0;
+    std::string name;
+    int hardness = -1;
+    std::optional<double> time;
+    double border = 0;
+};
+
 struct group_information {
     std::string name;
     std::string description; // what the scene is, or what makes the family hard
@@ -130,6 +163,8 @@ struct group_information {
     std::map<std::string, std::size_t> encounters; // "overlap", "recede", "miss", "graze", "hit" -> pairs, in truth
     std::string hardness_name;                     // what k means ("bits lost"), empty where no pair has one
     std::vector<conditioning> conditions;
+    std::vector<pair_information> shown; // the extremes of its rows, by number
+    std::vector<pair_place> places;      // of all pairs; the JSON leaves them out
 };
 
 // A choice of type, variant and root, over all groups.
@@ -151,6 +186,8 @@ struct machine_information {
 
 struct results {
     std::string command; // the arguments as they were typed, program name first; empty where unknown
+    std::string program; // how the user calls it: "graze-compare"
+    std::string inputs;  // the options that choose the pairs, quoted for a shell, each after a space
     machine_information machine;
     std::string source; // the scene file, the family, or "default"
     std::string as;     // "double" or "exact"

@@ -19,6 +19,7 @@ struct prepared_pairs {
     pair_list list;
     const std::vector<truth>& truths;
     std::vector<int> hardness;
+    std::vector<std::size_t> numbers;
 };
 
 class number_list {
@@ -65,10 +66,11 @@ pair_numbers numbers_of(const problem<N>& pair) {
 prepared_pairs prepared(const group& g) {
     return std::visit(
         []<int N>(const group_pairs<N>& pairs) {
-            prepared_pairs result{{N, {}}, pairs.truths, {}};
+            prepared_pairs result{{N, {}}, pairs.truths, {}, {}};
             for (const problem<N>& p : pairs.problems) {
                 result.list.pairs.push_back(numbers_of(p));
                 result.hardness.push_back(p.hardness);
+                result.numbers.push_back(p.number);
             }
             return result;
         },
@@ -80,7 +82,7 @@ row_score score_of(solver& solves, std::size_t how, const prepared_pairs& pairs,
     const stopwatch since_start;
     row_score score;
     for (std::size_t i = 0; i < pairs.truths.size() && since_start.seconds() <= seconds && !interrupted(); ++i) {
-        score.add(read_answer(solves, how, i, pairs.truths[i]), pairs.truths[i], pairs.hardness[i]);
+        score.add(read_answer(solves, how, i, pairs.truths[i]), pairs.truths[i], pairs.hardness[i], pairs.numbers[i]);
     }
     return score;
 }
@@ -121,7 +123,8 @@ std::vector<row> measure(const measurable& type, const group& g, const measureme
             rows[i].nanoseconds_low = times[i].low;
             rows[i].nanoseconds_high = times[i].high;
             rows[i].timed_pairs = times[i].pairs;
-            rows[i].repeats = times[i].repeats;
+            rows[i].repeats = times[i].repeated.size();
+            rows[i].repeated = times[i].repeated;
         }
     }
     if (interrupted()) {

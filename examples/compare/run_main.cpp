@@ -24,7 +24,7 @@ int act(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         command += std::string(" ") + argv[i];
     }
-    CLI::App app("Proves a scene's sequence of collisions.", "graze-compare");
+    CLI::App app("Proves the sequence of a scene's collisions.", "graze-compare");
     app.require_subcommand(1);
     run::raw_run_options raw;
     const CLI::App* running = run::add_run_command(app, raw);

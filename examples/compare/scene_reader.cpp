@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 
 namespace compare {
 
@@ -91,19 +92,7 @@ constexpr std::size_t largest_file = std::size_t{256} << 20U;
     throw input_error(printable(path, 4096) + ": " + what);
 }
 
-std::string content_of(const std::string& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        fail_to_read(path, status.type() == std::filesystem::file_type::not_found ? "no such file" : error.message());
-    }
-    if (std::filesystem::is_directory(status)) {
-        fail_to_read(path, "is a directory");
-    }
-    std::ifstream in(path, std::ios::binary);
-    if (!in) {
-        fail_to_read(path, std::strerror(errno));
-    }
+std::string content_of(std::istream& in, const std::string& path) {
     std::string text;
     std::string block(1U << 16U, '\0');
     while (in) {
@@ -119,9 +108,29 @@ std::string content_of(const std::string& path) {
     return text;
 }
 
+std::string content_of(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) {
+        fail_to_read(path, status.type() == std::filesystem::file_type::not_found ? "no such file" : error.message());
+    }
+    if (std::filesystem::is_directory(status)) {
+        fail_to_read(path, "is a directory");
+    }
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        fail_to_read(path, std::strerror(errno));
+    }
+    return content_of(in, path);
+}
+
 } // namespace
 
 scene_file read_scene(const std::string& path, number_input numbers) {
+    if (path == "-") {
+        const std::string stream = "the standard input";
+        return read_scene_text(content_of(std::cin, stream), stream, numbers);
+    }
     return read_scene_text(content_of(path), path, numbers);
 }
 

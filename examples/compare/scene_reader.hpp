@@ -26,7 +26,7 @@ struct scene_file {
     std::variant<exact_scene<2>, exact_scene<3>> scene;
 };
 
-// Throws input_error. The file is at most 256 MiB.
+// Throws input_error. The file is at most 256 MiB; "-" is the standard input.
 [[nodiscard]] scene_file read_scene(const std::string& path, number_input numbers = number_input::as_double);
 
 // The same from text; file is what messages call it.

@@ -1,5 +1,7 @@
 #include "score.hpp"
 
+#include "told.hpp"
+
 #include <limits>
 
 namespace compare {
@@ -35,13 +37,36 @@ bool same_decision(const answer& given, const truth& right) {
     return !on_wall || (given.where == right.where && given.index == right.index);
 }
 
-void row_score::add_decision(const answer& given, const truth& right, part& cell) {
+void row_score::note_wrong(const char* kind, double distance, const answer& given, const truth& right,
+                           std::size_t number) {
+    const extreme here{distance, number, &right, given};
+    const auto [at, is_first] = wrong_.try_emplace(kind, here, here);
+    if (!is_first && distance < at->second.first.measure) {
+        at->second.first = here;
+    }
+    if (!is_first && distance > at->second.second.measure) {
+        at->second.second = here;
+    }
+}
+
+void row_score::note_error(quantity which, std::optional<double> error, const answer& given, const truth& right,
+                           std::size_t number) {
+    const double measure = error.value_or(std::numeric_limits<double>::infinity());
+    auto& worst = worst_[static_cast<std::size_t>(which)];
+    if (measure > 0 && (!worst || measure > worst->measure)) {
+        worst = extreme{measure, number, &right, given};
+    }
+}
+
+void row_score::add_decision(const answer& given, const truth& right, part& cell, std::size_t number) {
     using graze::encounter;
+    const double nearest = nearest_border(right.what, right.borders);
     ++decisions_.evaluated;
     ++cell.evaluated;
     if (given.how == outcome::undecided) {
         ++decisions_.undecided;
         ++cell.undecided;
+        note_wrong("undecided", nearest, given, right, number);
         return;
     }
     if (same_decision(given, right)) {
@@ -50,14 +75,19 @@ void row_score::add_decision(const answer& given, const truth& right, part& cell
     ++cell.wrong;
     if (given.how == outcome::failed) {
         ++decisions_.failed;
+        note_wrong("failed", nearest, given, right, number);
     } else if ((given.what == encounter::recede) != (right.what == encounter::recede)) {
         ++decisions_.approaching;
+        note_wrong("approaching", right.borders.receding, given, right, number);
     } else if ((given.what == encounter::overlap) != (right.what == encounter::overlap)) {
         ++decisions_.overlap;
+        note_wrong("overlap", right.borders.overlapping, given, right, number);
     } else if (given.what != right.what) {
         ++decisions_.hit_or_miss;
+        note_wrong("hit_or_miss", right.borders.hitting, given, right, number);
     } else {
         ++decisions_.feature;
+        note_wrong("feature", nearest, given, right, number);
     }
 }
 
@@ -74,14 +104,15 @@ std::optional<double> row_score::add_scalar(quantity which, const computed& give
     return sample(which).add(*apart, abs(right.value()), rounds_correctly(given, right));
 }
 
-void row_score::add_vector(quantity which, const std::vector<computed>& given, const std::vector<true_value>& right) {
+std::optional<double> row_score::add_vector(quantity which, const std::vector<computed>& given,
+                                            const std::vector<true_value>& right) {
     wide farthest = 0, size = 0;
     bool rounded = true;
     for (std::size_t i = 0; i < right.size(); ++i) {
         const auto apart = distance(given[i], right[i]);
         if (!apart) {
             sample(which).add_not_finite();
-            return;
+            return std::numeric_limits<double>::infinity();
         }
         if (const interval* between = std::get_if<interval>(&given[i].value());
             between != nullptr && !encloses(*between, right[i])) {
@@ -92,7 +123,7 @@ void row_score::add_vector(quantity which, const std::vector<computed>& given, c
         size = length > size ? length : size;
         rounded = rounded && rounds_correctly(given[i], right[i]);
     }
-    sample(which).add(farthest, size, rounded);
+    return sample(which).add(farthest, size, rounded);
 }
 
 void row_score::add_width(const computed& given, const true_value& right) {
@@ -142,28 +173,37 @@ void row_score::add_conservation(const answer& given, const truth& right) {
     }
 }
 
-void row_score::add(const answer& given, const truth& right, int hardness) {
+void row_score::add(const answer& given, const truth& right, int hardness, std::size_t number) {
     part& cell = parts_[{right.kind, hardness}];
-    add_decision(given, right, cell);
+    add_decision(given, right, cell, number);
     const bool same = same_decision(given, right);
+    dots_.push_back(same ? dot_absent : given.how == outcome::undecided ? dot_open : dot_wrong);
+    const auto note = [&](quantity which, std::optional<double> error) {
+        note_error(which, error, given, right, number);
+    };
     // D is there whatever was decided of two balls; of a wall, when the same edge or corner was met.
     if (right.discriminant && given.discriminant && (right.kind == pair_kind::ball_ball || same)) {
-        if (const auto error = add_scalar(quantity::discriminant, *given.discriminant, *right.discriminant)) {
+        const auto error = add_scalar(quantity::discriminant, *given.discriminant, *right.discriminant);
+        if (error) {
             cell.discriminants.push_back(*error);
         }
+        note(quantity::discriminant, error);
     }
     if (!same || !graze::is_collision(right.what)) {
         return;
     }
     if (right.what != graze::encounter::overlap) {
         const quantity which = right.kind == pair_kind::ball_ball ? quantity::time : quantity::crossing;
-        if (const auto error = add_scalar(which, *given.time, right.time)) {
+        const auto error = add_scalar(which, *given.time, right.time);
+        if (error) {
             cell.times.push_back(*error);
         }
+        note(which, error);
+        dots_.back() = static_cast<float>(error.value_or(std::numeric_limits<double>::infinity()));
         add_width(*given.time, right.time);
     }
-    add_vector(quantity::position, given.positions, right.positions);
-    add_vector(quantity::velocity, given.velocities, right.velocities);
+    note(quantity::position, add_vector(quantity::position, given.positions, right.positions));
+    note(quantity::velocity, add_vector(quantity::velocity, given.velocities, right.velocities));
     add_conservation(given, right);
 }
 
@@ -176,6 +216,23 @@ void row_score::write_to(row& result) const {
     result.not_enclosed = not_enclosed_;
     result.momentum = momentum_.summary();
     result.energy = energy_.summary();
+    result.dots = dots_;
+    for (std::size_t i = 0; i < quantity_count; ++i) {
+        if (worst_[i]) {
+            const extreme& e = *worst_[i];
+            const auto which = static_cast<quantity>(i);
+            result.extremes.push_back({quantity_names[i], "largest", e.number, e.measure, told_value(which, *e.right),
+                                       told_value(which, e.given, *e.right)});
+        }
+    }
+    for (const auto& [kind, both] : wrong_) {
+        for (const auto& [which, e] : {std::pair("nearest", &both.first), std::pair("farthest", &both.second)}) {
+            if (e == &both.first || both.second.number != both.first.number) {
+                result.extremes.push_back(
+                    {kind, which, e->number, 0, told_decision(*e->right), told_decision(e->given)});
+            }
+        }
+    }
     for (const auto& [key, measured] : parts_) {
         cell written;
         written.kind = name_of(key.first);

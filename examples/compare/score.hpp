@@ -6,8 +6,12 @@
 #include "statistics.hpp"
 #include "truth.hpp"
 
+#include <array>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace compare {
 
@@ -27,7 +31,8 @@ struct answer {
 // Collects the answers of one row.
 class row_score {
   public:
-    void add(const answer& given, const truth& right, int hardness);
+    // `right` must outlive the score. number: of the pair.
+    void add(const answer& given, const truth& right, int hardness, std::size_t number = 0);
     // Fills in the row, except for its names and times.
     void write_to(row& result) const;
 
@@ -37,9 +42,22 @@ class row_score {
         std::vector<double> times, discriminants;
     };
 
-    void add_decision(const answer& given, const truth& right, part& cell);
+    // A pair on which the row is worst so far, by a measure of that.
+    struct extreme {
+        double measure;
+        std::size_t number;
+        const truth* right;
+        answer given;
+    };
+
+    void add_decision(const answer& given, const truth& right, part& cell, std::size_t number);
+    void note_wrong(const char* kind, double distance, const answer& given, const truth& right, std::size_t number);
+    // error: none where the exact value is 0, or infinite: worse than any number.
+    void note_error(quantity which, std::optional<double> error, const answer& given, const truth& right,
+                    std::size_t number);
     std::optional<double> add_scalar(quantity which, const computed& given, const true_value& right);
-    void add_vector(quantity which, const std::vector<computed>& given, const std::vector<true_value>& right);
+    std::optional<double> add_vector(quantity which, const std::vector<computed>& given,
+                                     const std::vector<true_value>& right);
     void add_width(const computed& given, const true_value& right);
     void add_conservation(const answer& given, const truth& right);
     error_sample& sample(quantity q) { return errors_[static_cast<std::size_t>(q)]; }
@@ -50,6 +68,9 @@ class row_score {
     std::size_t not_enclosed_ = 0;
     defect_sample momentum_, energy_;
     std::map<std::pair<pair_kind, int>, part> parts_;
+    std::array<std::optional<extreme>, quantity_count> worst_;
+    std::map<std::string, std::pair<extreme, extreme>> wrong_; // the nearest and the farthest, by kind
+    std::vector<float> dots_;
 };
 
 } // namespace compare

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "pair_numbers.hpp"
-#include "results.hpp"
+#include "type_information.hpp"
 
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>

@@ -39,10 +39,10 @@ std::optional<double> error_sample::add(const wide& distance, const wide& size, 
     if (correctly_rounded) {
         ++counts_.correctly_rounded;
     }
-    const double ulps = distance == 0 ? 0.0 : scaled(distance, 52 - exponent_of(size));
-    errors_.push_back(ulps);
+    const double units = distance == 0 ? 0.0 : scaled(distance, 52 - exponent_of(size));
+    errors_.push_back(units);
     bits_.push_back(distance == 0 ? infinity : log2_of(size) - log2_of(distance));
-    return ulps;
+    return units;
 }
 
 void error_sample::add_not_finite() {

@@ -1,6 +1,7 @@
 #include "stopwatch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace compare {
 
@@ -48,9 +49,10 @@ std::vector<timing> time_interleaved(const std::vector<timed_candidate>& candida
     }
     std::vector<timing> result;
     for (schedule& s : schedules) {
-        std::sort(s.nanoseconds.begin(), s.nanoseconds.end());
-        const auto at = [&](std::size_t quarter) { return s.nanoseconds[(s.nanoseconds.size() - 1) * quarter / 4]; };
-        result.push_back({at(2), at(1), at(3), s.pairs, repeats});
+        std::vector<double> sorted = s.nanoseconds;
+        std::sort(sorted.begin(), sorted.end());
+        const auto at = [&](std::size_t quarter) { return sorted[(sorted.size() - 1) * quarter / 4]; };
+        result.push_back({at(2), at(1), at(3), s.pairs, std::move(s.nanoseconds)});
     }
     return result;
 }

@@ -25,7 +25,8 @@ struct timed_candidate {
 
 struct timing {
     double median = 0, low = 0, high = 0; // nanoseconds for one; low and high are the quartiles of the repeats
-    std::size_t pairs = 0, repeats = 0;
+    std::size_t pairs = 0;
+    std::vector<double> repeated; // each repeat, in the order of measurement
 };
 
 // Times the candidates in turn, so that changes of the machine's load affect all of them: at least three repeats of at

@@ -1,6 +1,8 @@
 #include "table.hpp"
 
 #include "answer.hpp"
+#include "extremes.hpp"
+#include "printable_results.hpp"
 #include "text_table.hpp"
 
 #include <algorithm>
@@ -48,14 +50,16 @@ std::string list_of(const std::map<std::string, std::size_t>& counts) {
     return text;
 }
 
-std::string heading(const results& found) {
+std::string heading(const results& found, bool one_pair) {
     std::ostringstream out;
     out << "graze-compare " << found.machine.graze << ": " << found.source << ", numbers "
         << (found.as == "exact" ? "as written" : "rounded to double first") << "\n";
     out << found.machine.compiler << " " << found.machine.flags << ", " << found.machine.processor << "\n\n";
     for (const group_information& g : found.groups) {
         std::string text = g.name + " (" + std::to_string(g.dimension) + "D): " + std::to_string(g.pairs);
-        if (g.pairs_of > g.pairs) {
+        if (one_pair) {
+            text += " pair of " + std::to_string(g.pairs_of);
+        } else if (g.pairs_of > g.pairs) {
             text += " pairs, a sample of " + std::to_string(g.pairs_of) + " (seed " + std::to_string(found.seed) +
                     "; --all takes every pair)";
         } else {
@@ -122,7 +126,7 @@ std::string main_table(const results& found, const std::vector<quantity>& quanti
         table.column("wrong");
         table.column("worst");
         table.column("CR");
-        table.column("ns");
+        table.column("time ");
     }
     std::string last;
     for (const row& r : found.rows) {
@@ -142,7 +146,7 @@ std::string main_table(const results& found, const std::vector<quantity>& quanti
             cells.push_back(wrong_text(*there, g.pairs));
             cells.push_back(error.count == 0 ? "-" : short_number(error.largest));
             cells.push_back(percent(error.rounded, error.count));
-            cells.push_back(there->nanoseconds ? short_nanoseconds(*there->nanoseconds) + (there->on_front ? "*" : " ")
+            cells.push_back(there->nanoseconds ? short_time(*there->nanoseconds) + (there->on_front ? "*" : " ")
                                                : "- ");
         }
         table.line(std::move(cells));
@@ -157,7 +161,7 @@ std::string front_table(const results& found) {
     text_table table;
     table.column("type", true);
     table.column("variant/root", true);
-    table.column("ns a pair");
+    table.column("time a pair");
     table.column("wrong");
     table.column("correct bits");
     const overall* best = nullptr;
@@ -167,11 +171,11 @@ std::string front_table(const results& found) {
         };
         const bool better = best == nullptr || share(o) < share(*best) ||
                             (share(o) == share(*best) && o.fewest_bits > best->fewest_bits + notable_bits);
-        if (!better || !o.complete) {
+        if (!better || !o.complete || o.how.nanoseconds == infinity) {
             continue;
         }
         best = &o;
-        table.line({o.how.type, o.how.variant + "/" + o.how.root, short_nanoseconds(o.how.nanoseconds),
+        table.line({o.how.type, o.how.variant + "/" + o.how.root, short_time(o.how.nanoseconds),
                     std::to_string(o.wrong),
                     o.fewest_bits == infinity ? (o.times > 0 ? "exact" : "-") : short_number(o.fewest_bits)});
     }
@@ -205,16 +209,17 @@ std::string types_table(const results& found) {
         cells.push_back(std::to_string(t.bytes) + (t.uses_heap ? "+" : " "));
         cells.push_back(t.has_sqrt ? "" : std::to_string(t.real_bytes) + (t.uses_heap ? "+" : " "));
         double momentum = 0, energy = 0;
-        std::size_t kept = 0;
+        std::size_t of_momentum = 0, of_energy = 0;
         for (const group_information& g : found.groups) {
             if (const row* r = typical_row(found, t.name, g.name)) {
                 momentum = std::max(momentum, r->momentum.largest);
                 energy = std::max(energy, r->energy.largest);
-                kept += r->energy.count;
+                of_momentum += r->momentum.count;
+                of_energy += r->energy.count;
             }
         }
-        cells.push_back(kept > 0 ? short_number(momentum) : "-");
-        cells.push_back(kept > 0 ? short_number(energy) : "-");
+        cells.push_back(of_momentum > 0 ? short_number(momentum) : "-");
+        cells.push_back(of_energy > 0 ? short_number(energy) : "-");
         cells.push_back(t.alias_of.empty() ? "" : "another name of " + t.alias_of + ", not counted");
         table.line(std::move(cells));
     }
@@ -223,13 +228,14 @@ std::string types_table(const results& found) {
 
 } // namespace
 
-std::string to_text(const results& found, const table_options& options) {
-    std::ostringstream out;
-    out << heading(found);
-    out << "Number types (bits of the significand; bytes of a value, + what it has on the heap; root's: of p + q√d "
-           "where "
-           "the\ntype has no root; the largest relative defect of momentum and energy after the impulse)\n\n"
-        << types_table(found) << "\n";
+std::string to_text(const results& unsafe, const table_options& options) {
+    const results found = with_printable_texts(unsafe);
+    std::string out = heading(found, options.one_pair);
+    out +=
+        wrapped(
+            "Number types. bits: of the significand; bytes: of a value, + what it has on the heap; root's: of τ where "
+            "the type has no root; momentum, energy: the largest relative defect after the collision") +
+        "\n" + types_table(found) + "\n";
     std::vector<std::vector<quantity>> tables;
     for (const quantity q : options.quantities) {
         tables.push_back({q});
@@ -240,16 +246,24 @@ std::string to_text(const results& found, const table_options& options) {
     for (const std::vector<quantity>& shown : tables) {
         const std::string what =
             shown.size() > 1 ? "the time of impact" : quantity_names[static_cast<std::size_t>(shown.front())];
-        out << "Decisions and the error of " << what << "\n"
-            << "(wrong: decisions, +n? left open, /n of so many; worst: the largest error in units of the last place "
-               "of "
-               "a double;\nCR: how many round correctly; ns: of a whole solution; *: on the best front of speed and "
-               "error)\n\n"
-            << main_table(found, shown, options.every_row) << "\n";
+        out += wrapped(
+                   "Decisions, and the error of " + what +
+                   ". wrong: wrong decisions, +n? left open, /n of n pairs; worst: "
+                   "the largest error in units in the last place of a double; CR: the share that is correctly rounded; "
+                   "time: of a whole solution; *: nothing is both faster and better") +
+               "\n" + main_table(found, shown, options.every_row) + "\n";
     }
-    out << "Best trade-offs over all pairs (nothing faster is better)\n\n" << front_table(found) << "\n";
-    out << wrapped(found.sentence);
-    return out.str();
+    if (options.one_pair) {
+        return out + one_pair_text(found);
+    }
+    out += extremes_text(found);
+    const auto timed = [](const row& r) { return r.nanoseconds.has_value(); };
+    if (std::any_of(found.rows.begin(), found.rows.end(), timed)) {
+        out += "Best trade-offs over all pairs: nothing faster is better.\n\n" + front_table(found) + "\n";
+    } else {
+        out += "There are no trade-offs between time and error: nothing was timed.\n\n";
+    }
+    return out + wrapped(found.sentence);
 }
 
 } // namespace compare

@@ -11,6 +11,7 @@ namespace compare {
 
 struct table_options {
     std::vector<quantity> quantities; // a table for each; without any, one of all times: τ and crossings
+    bool one_pair = false;            // that one in full
     bool every_row = false;           // also the rows that say little: every variant of the exact types, printed roots
 };
 

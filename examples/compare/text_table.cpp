@@ -64,12 +64,34 @@ std::string short_number(double x) {
     return formatted(size < 0.01 ? "%.3f" : size < 10 ? "%.2f" : size < 100 ? "%.1f" : "%.0f", x);
 }
 
-std::string short_nanoseconds(double x) {
+std::pair<std::string, std::string> told_apart(double x, double y) {
+    std::pair<std::string, std::string> texts = {short_number(x), short_number(y)};
+    for (int digits = 3; digits <= 17 && x != y && texts.first == texts.second; ++digits) {
+        char first[40], second[40];
+        std::snprintf(first, sizeof first, "%.*g", digits, x);
+        std::snprintf(second, sizeof second, "%.*g", digits, y);
+        texts = {first, second};
+    }
+    return texts;
+}
+
+std::string short_count(double x) {
     return x < 9.95     ? formatted("%.1f", x)
            : x < 999.5  ? formatted("%.0f", x)
            : x < 99950  ? formatted("%.1fk", x / 1e3)
            : x < 999500 ? formatted("%.0fk", x / 1e3)
                         : formatted("%.1fM", x / 1e6);
+}
+
+std::string short_time(double nanoseconds) {
+    static constexpr const char* units[] = {" ns", " µs", " ms"};
+    for (const char* unit : units) {
+        if (nanoseconds < 999.5) {
+            return formatted(nanoseconds < 9.995 ? "%.2f" : nanoseconds < 99.95 ? "%.1f" : "%.0f", nanoseconds) + unit;
+        }
+        nanoseconds /= 1e3;
+    }
+    return formatted(nanoseconds < 9.995 ? "%.2f" : nanoseconds < 99.95 ? "%.1f" : "%.0f", nanoseconds) + " s";
 }
 
 void text_table::column(std::string heading, bool left) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace compare {
@@ -37,7 +38,13 @@ class text_table {
 // In at most six characters or so: 0, 0.50, 17, 4.1e5, 3e-17, inf.
 [[nodiscard]] std::string short_number(double x);
 
-// 850, 12.3k, 1.20M.
-[[nodiscard]] std::string short_nanoseconds(double x);
+// Two numbers that differ, with as many digits as it takes to see that: 1.92e12 and 1.93e12.
+[[nodiscard]] std::pair<std::string, std::string> told_apart(double x, double y);
+
+// A number of things: 850, 12.3k, 1.20M.
+[[nodiscard]] std::string short_count(double x);
+
+// 850 ns, 12.3 µs, 1.20 ms, 2.40 s.
+[[nodiscard]] std::string short_time(double nanoseconds);
 
 } // namespace compare

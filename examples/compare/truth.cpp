@@ -118,6 +118,7 @@ truth truth_of(const problem<N>& pair) {
         break;
     }
     set_conditions(t, pair);
+    t.borders = border_distances_of(pair);
     return t;
 }
 

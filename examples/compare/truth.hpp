@@ -1,6 +1,7 @@
 // The truth for a pair: graze::solve in exact rationals, with everything else in Q(√D).
 #pragma once
 
+#include "border.hpp"
 #include "true_value.hpp"
 
 #include <graze/formula/encounter.hpp>
@@ -33,6 +34,7 @@ struct truth {
     // Relative condition numbers: Σ |x ∂f/∂x| / |f| over the inputs x. Absent if f is 0 or, for the time, if there is
     // no time; infinite for the time of a graze.
     std::optional<double> time_condition, discriminant_condition;
+    border_distances borders;
 };
 
 template <int N>

@@ -1,6 +1,7 @@
 // All number types that this program was built with.
 #pragma once
 
+#include "results.hpp"
 #include "solver.hpp"
 
 #include <string>

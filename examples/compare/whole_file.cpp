@@ -2,55 +2,109 @@
 
 #include "input_error.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <iostream>
 #include <stdexcept>
 #include <system_error>
 
 namespace compare {
 namespace {
 
-// Empty when everything arrived; otherwise what went wrong.
-[[nodiscard]] std::string write(const std::string& path, std::string_view content) {
-    errno = 0;
-    std::ofstream out(path, std::ios::binary | std::ios::trunc);
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();
-    return out ? std::string() : errno != 0 ? std::strerror(errno) : "write error";
+namespace fs = std::filesystem;
+
+// Empty when everything arrived; otherwise what went wrong. A file that is new can be read by its owner alone.
+[[nodiscard]] std::string write(const std::string& path, std::string_view content, bool is_new) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | (is_new ? O_CREAT | O_EXCL : 0), S_IRUSR | S_IWUSR);
+    if (file < 0) {
+        return std::strerror(errno);
+    }
+    std::string failure;
+    while (failure.empty() && !content.empty()) {
+        const ssize_t written = ::write(file, content.data(), content.size());
+        if (written >= 0) {
+            content.remove_prefix(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
+            failure = std::strerror(errno);
+        }
+    }
+    if (::close(file) != 0 && failure.empty()) {
+        failure = std::strerror(errno);
+    }
+    return failure;
+}
+
+constexpr const char* part = ".part"; // then the number of the process that writes it
+
+// Of processes that are no more.
+void remove_parts_left(const fs::path& target) {
+    std::error_code error;
+    const std::string start = target.filename().string() + part;
+    for (fs::directory_iterator at(target.parent_path(), error), end; !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        int process = 0;
+        const char* last = name.data() + name.size();
+        if (name.starts_with(start) && std::from_chars(name.data() + start.size(), last, process).ptr == last &&
+            process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
+            std::error_code ignored;
+            fs::remove(at->path(), ignored);
+        }
+    }
+}
+
+// That of the file which is replaced, or what a new file gets.
+[[nodiscard]] mode_t mode_for(const fs::path& target) {
+    struct stat now {};
+    if (::stat(target.c_str(), &now) == 0) {
+        return now.st_mode & 07777U;
+    }
+    const mode_t masked = ::umask(0);
+    ::umask(masked);
+    return 0666U & ~masked;
 }
 
 } // namespace
 
 void write_whole_file(const std::string& path, std::string_view content) {
+    if (path == standard_stream) {
+        std::cout << content << std::flush;
+        return;
+    }
     std::error_code error;
-    const bool special = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+    const bool special = fs::exists(path, error) && !fs::is_regular_file(path, error);
     // A link keeps pointing: what it points at is what is replaced.
-    const auto real = std::filesystem::weakly_canonical(path, error);
-    const std::string target = special || error ? path : real.string();
-    const std::string first = special ? target : target + ".part" + std::to_string(::getpid());
-    const std::string failure = write(first, content);
+    const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
+    const fs::path target = special || error ? fs::path(path) : real;
+    const std::string first = special ? target.string() : target.string() + part + std::to_string(::getpid());
+    if (!special) {
+        remove_parts_left(target);
+    }
+    std::string failure = write(first, content, !special);
     if (special && failure.empty()) {
         return;
     }
-    if (failure.empty()) {
-        std::filesystem::rename(first, target, error);
+    if (failure.empty() &&
+        (::chmod(first.c_str(), mode_for(target)) != 0 || std::rename(first.c_str(), target.c_str()) != 0)) {
+        failure = std::strerror(errno);
     }
-    if (!failure.empty() || error) {
-        std::error_code ignored;
+    if (!failure.empty()) {
         if (!special) {
-            std::filesystem::remove(first, ignored);
+            fs::remove(first, error);
         }
-        throw std::runtime_error(path + ": cannot be written: " + (failure.empty() ? error.message() : failure));
+        throw std::runtime_error(printable(path, 200) + ": cannot be written: " + failure);
     }
 }
 
 void check_writable(const std::string& option, const std::string& path) {
-    namespace fs = std::filesystem;
-    if (path.empty()) {
+    if (path.empty() || path == standard_stream) {
         return;
     }
     std::error_code error;

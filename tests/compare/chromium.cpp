@@ -281,4 +281,17 @@ std::vector<seen_page> look_at(const std::vector<view>& views) {
     return pages;
 }
 
+std::string done_in(const std::string& html, int width, const std::string& script) {
+    const scratch room;
+    std::string page = html;
+    page.insert(page.rfind("</body>"), "<pre id=\"answer\"></pre><script>(async () => {" + script +
+                                           "})().then(x => JSON.stringify(x), e => JSON.stringify({failed: String(e)}))"
+                                           ".then(x => document.getElementById('answer').textContent = x)</script>");
+    save(room.path / "page.html", page);
+    const std::string window = "--window-size=" + std::to_string(width) + ",900";
+    return answer_in(
+               run(room.path, {window, "--virtual-time-budget=20000", "--dump-dom", url(room.path / "page.html")}))
+        .dump();
+}
+
 } // namespace eyes

@@ -43,4 +43,8 @@ struct view {
 // std::runtime_error if it fails or does not answer in two minutes.
 [[nodiscard]] std::vector<seen_page> look_at(const std::vector<view>& views);
 
+// Opens the page and runs the script in it, the body of an async function; what it returns, as JSON. Throws where the
+// page or the script fails.
+[[nodiscard]] std::string done_in(const std::string& html, int width, const std::string& script);
+
 } // namespace eyes

@@ -11,7 +11,7 @@ endif()
 graze_add_test(compare_program_test SOURCES program_test.cpp LIBRARIES compare_engine nlohmann_json::nlohmann_json
     TIMEOUT 600)
 target_compile_definitions(compare_program_test PRIVATE
-    "GRAZE_COMPARE=\"$<TARGET_FILE:graze-compare>\""
+    "GRAZE_COMPARE=\"$<TARGET_FILE:graze-compare>\"" "GRAZE_BAD_INPUTS=\"${CMAKE_CURRENT_SOURCE_DIR}/bad\""
     "GRAZE_JSON_PAGE=\"${PROJECT_SOURCE_DIR}/docs/reference/compare-json.md\"")
 add_dependencies(compare_program_test graze-compare)
 

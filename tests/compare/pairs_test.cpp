@@ -150,3 +150,30 @@ TEST_CASE("problems hold the doubles exactly") {
                          input_error);
     CHECK(draw_family<2>("generic", 7, 1).size() == 7);
 }
+
+TEST_CASE("a scene with very many pairs is sampled without deciding all, and not taken whole") {
+    exact_scene<2> scene; // 100,000 balls on a line: 5 billion pairs, which would take hours
+    for (int i = 0; i < 100'000; ++i) {
+        exact_ball<2> b;
+        b.shape.position = {{exact(10 * i), exact(0)}};
+        b.shape.velocity = {{exact(i % 3 == 0 ? 1 : 0), exact(0)}};
+        b.shape.radius = exact(1);
+        b.inverse_mass = exact(i < 3 ? 0 : 1);
+        scene.balls.push_back(b);
+    }
+    const scene_pairs<2> sample = pairs_of<2>(scene, "line", 300, 3);
+    CHECK(sample.total == 100'000ULL * 99'999 / 2 - 3);
+    CHECK(sample.classified > 390'000);
+    CHECK(sample.classified <= 400'000);
+    CHECK(sample.pairs.size() == 300);
+    std::set<std::string> names;
+    for (const auto& p : sample.pairs) {
+        names.insert(p.name);
+        CHECK(p.name == "ball " + std::to_string(static_cast<int>(nearest_double(p.a.shape.position[0])) / 10) +
+                            " and ball " +
+                            std::to_string(static_cast<int>(nearest_double(p.b.shape.position[0])) / 10));
+    }
+    CHECK(names.size() == 300);
+    CHECK_THROWS_WITH_AS(static_cast<void>(pairs_of<2>(scene, "line", every_pair, 3)), doctest::Contains("--all"),
+                         input_error);
+}

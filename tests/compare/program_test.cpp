@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -20,7 +22,8 @@ using workshop::bench, workshop::ending, workshop::content_of, workshop::holds;
 
 namespace {
 
-const std::string quick = "--family grazing --count 60 --seed 3 --types double,cpp_rational --timing 0 ";
+// All pairs, however slow the machine is.
+const std::string quick = "--family grazing --count 60 --seed 3 --types double,cpp_rational --timing 0 --all ";
 
 } // namespace
 
@@ -35,52 +38,175 @@ std::string on_one_line(std::string text) {
 
 TEST_CASE("bad input ends with 2 and one line that says what is wrong") {
     const bench here;
-    here.write("broken.json", "{\"dimension\": 2,\n \"balls\": [}");
-    here.write("lonely.json", R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [0, 0], "radius": 1}]})");
-    struct wrong {
-        const char* arguments;
-        const char* names;
-        const char* says;
-    };
-    const std::vector<wrong> all = {
-        {"missing.json", "missing.json", ""},
-        {"broken.json", "broken.json", "line 2"},
-        {"lonely.json", "lonely.json", "nothing that it could meet"},
-        {"--types double,flaot", "--types", "flaot"},
-        {"--variants cosine", "--variants", "cosine"},
-        {"--variants lagrange/square", "--variants", "lagrange/square"},
-        {"--quantity colour", "--quantity", "colour"},
-        {"--family nonesuch", "nonesuch", ""},
-        {"--family generic --count 0", "--count", ""},
-        {"--family generic --count many", "--count", "many"},
-        {"--count 5", "--count", "--family"},
-        {"--family generic --dimension 4", "--dimension", "4"},
-        {"--family generic broken.json", "--family", ""},
-        {"--as float", "--as", "float"},
-        {"--digits 0", "--digits", ""},
-        {"--seed -1", "--seed", ""},
-        {"--timing -1", "--timing", ""},
-        {"--nonsense", "--nonsense", ""},
-        {"broken.json other.json", "other.json", ""},
-        {"--json nowhere/out.json", "--json", "nowhere/out.json"},
-        {"--json .", "--json", "directory"},
-        {"--report nowhere/out.html", "--report", "nowhere/out.html"},
-        {"--json same --report ./same", "--json and --report", "same"},
-        {"diff", "old", ""},
-        {"diff missing.json missing.json", "missing.json", ""},
-        {"diff lonely.json lonely.json", "lonely.json", "schema"},
-    };
-    const std::size_t before = here.files();
-    for (const wrong& w : all) {
-        INFO(w.arguments);
-        const ending e = here.run(w.arguments);
-        INFO(e.err);
-        CHECK(e.code == 2);
-        CHECK(e.out.empty());
-        CHECK(std::count(e.err.begin(), e.err.end(), '\n') == 1);
-        CHECK(holds(e.err, w.names));
-        CHECK(holds(e.err, w.says));
-        CHECK(here.files() == before);
+    here.copy_from(GRAZE_BAD_INPUTS);
+    workshop::check_bad_lines(here, "scenes.txt", false);
+    workshop::check_bad_lines(here, "commands.txt", false);
+}
+
+TEST_CASE("the standard input is a scene, and the standard output takes one file") {
+    const bench here;
+    here.copy_from(GRAZE_BAD_INPUTS);
+    const ending e = here.run("- --types double --timing 0 --json - <ok.json");
+    INFO(e.err);
+    CHECK(e.code == 0);
+    CHECK(e.err.empty());
+    const auto json = nlohmann::json::parse(e.out); // and nothing else
+    CHECK(json["source"] == "the standard input");
+    CHECK_FALSE(std::filesystem::exists(here / "-"));
+    CHECK(here.run("diff - one.json </dev/null").code == 2);
+}
+
+TEST_CASE("the version, and the help of each command") {
+    const bench here;
+    CHECK(holds(here.run("--version").out, "graze-compare 0."));
+    CHECK(holds(here.run("--help").out, "graze-compare"));
+    CHECK(holds(here.run("diff --help").out, "graze-compare diff"));
+}
+
+TEST_CASE("what a scene calls itself cannot write on the terminal") {
+    const bench here;
+    // ESC, BEL, a line end, a right-to-left override, and a NUL by way of JSON.
+    here.write(
+        "evil.json",
+        R"({"dimension": 2, "name": "\u001b[31mred\u0007\nnext\u202egnp.exe\u0000", "description": "\u001b]0;title\u0007",
+        "balls": [{"position": [0, 0], "velocity": [1, 0], "radius": 1}, {"position": [5, 0], "velocity": [0, 0], "radius": 1}]})");
+    const ending e = here.run("evil.json --types double --timing 0 --json one.json");
+    CHECK(e.code == 0);
+    CHECK(holds(e.out, "\\x1b[31mred\\x07\\x0anext\\xe2\\x80\\xaegnp.exe\\x00"));
+    const ending same = here.run("diff one.json one.json");
+    compare::results other = compare::read_results((here / "one.json").string());
+    other.rows[0].error(compare::quantity::time).largest += 1;
+    here.write("two.json", compare::to_json(other));
+    for (const std::string& text : {e.out, here.run("diff one.json two.json").out}) {
+        CHECK(holds(text, "red"));
+        CHECK_FALSE(holds(text, "\x1b"));
+        CHECK_FALSE(holds(text, "\a"));
+        CHECK_FALSE(holds(text, "\u202e"));
+        CHECK_FALSE(holds(text, std::string(1, '\0')));
+    }
+}
+
+TEST_CASE("without times there are no trade-offs, and no figure of what was not measured") {
+    const bench here;
+    const ending e = here.run("--family far --count 40 --types double --timing 0 --json out.json");
+    CHECK(holds(e.out, "There are no trade-offs between time and error: nothing was timed."));
+    CHECK_FALSE(holds(e.out, "inf"));
+    here.write("plane.json", R"({"dimension": 2, "balls": [{"position": [0, 5], "velocity": [0, -1], "radius": 1}],
+        "planes": [{"point": [0, 0], "normal": [0, 1]}]})");
+    const ending alone = here.run("plane.json --types double --timing 0 --json plane_out.json");
+    const auto rows = nlohmann::json::parse(content_of(here / "plane_out.json"))["rows"];
+    CHECK(rows[0]["momentum"]["count"] == 0); // a plane takes up momentum
+    CHECK(rows[0]["momentum"]["median"].is_null());
+    CHECK(rows[0]["momentum"]["largest"].is_null());
+    CHECK(rows[0]["errors"]["time"]["largest"].is_null());
+    CHECK(rows[0]["cells"][0]["hardness"].is_null());
+    CHECK(rows[0]["nanoseconds_low"].is_null());
+    CHECK(rows[0]["energy"]["largest"] == 0);
+}
+
+TEST_CASE("one unit of time") {
+    const bench here;
+    const ending e = here.run("--family generic --count 12 --types double,cpp_rational --timing 0.01");
+    CHECK(holds(e.out, " ns"));
+    CHECK((holds(e.out, " µs") || holds(e.out, " ms"))); // rationals, on whatever machine
+    CHECK_FALSE(holds(e.out, " us "));
+    CHECK_FALSE(holds(e.out, "exact is"));
+    CHECK(holds(on_one_line(e.out), "exact values"));
+}
+
+TEST_CASE("the wrong and the worst pairs are named, and their commands show them again") {
+    const bench here;
+    const ending e =
+        here.run("--family grazing --count 60 --seed 3 --types double --timing 0 --json out.json --pairs found");
+    INFO(e.out << e.err);
+    REQUIRE(e.code == 0);
+    CHECK(holds(e.out, "Wrong decisions, those farthest from the border first."));
+    CHECK(holds(e.out, "The largest error of the time"));
+    const compare::results found = compare::read_results((here / "out.json").string());
+    std::size_t wrong = 0, errors = 0;
+    for (const compare::row& r : found.rows) {
+        for (const compare::extreme_pair& x : r.extremes) {
+            const auto place = std::find_if(found.groups[0].shown.begin(), found.groups[0].shown.end(),
+                                            [&](const auto& p) { return p.number == x.pair; });
+            REQUIRE(place != found.groups[0].shown.end());
+            CHECK(content_of(here / ("found/pair-" + std::to_string(x.pair) + ".json")) == place->scene);
+            CHECK(place->numbers.size() == 8);
+            const bool is_error = x.which == "largest";
+            if (r.variant != "textbook" || r.root != "printed") {
+                continue;
+            }
+            // The pair alone, by its number and as a scene: the same error, the same answers.
+            for (const std::string& inputs : {found.inputs + " --pair " + std::to_string(x.pair),
+                                              " found/pair-" + std::to_string(x.pair) + ".json --as exact"}) {
+                const ending again =
+                    here.run(inputs + " --types double --variants textbook/printed --timing 0 --json again.json");
+                INFO(inputs << "\n" << again.err);
+                REQUIRE(again.code == 0);
+                const compare::results one = compare::read_results((here / "again.json").string());
+                REQUIRE(one.rows.size() == 1);
+                const auto same =
+                    std::find_if(one.rows[0].extremes.begin(), one.rows[0].extremes.end(), [&](const auto& y) {
+                        return y.what == x.what && y.error == x.error && y.said == x.said && y.right == x.right;
+                    });
+                CHECK(same != one.rows[0].extremes.end());
+            }
+            (is_error ? errors : wrong) += 1;
+        }
+    }
+    CHECK(wrong >= 2);
+    CHECK(errors >= 4);
+    // What is printed is a command that does it.
+    const auto at = e.out.find("graze-compare --family grazing");
+    REQUIRE(at != std::string::npos);
+    std::string printed = on_one_line(e.out.substr(at, 200));
+    printed = printed.substr(std::string("graze-compare").size(),
+                             printed.find(". --pairs") - std::string("graze-compare").size());
+    const ending again = here.run(printed);
+    INFO(printed << again.err);
+    CHECK(again.code == 0);
+    CHECK(holds(again.out, "hexadecimal"));
+    CHECK(holds(content_of(here / "found/pairs.txt"),
+                "graze-compare --family grazing --count 60 --dimension 2 --seed 3 --pair"));
+}
+
+TEST_CASE("a file keeps its mode, and what a killed program left is taken away") {
+    namespace fs = std::filesystem;
+    const bench here;
+    here.write("out.json", "");
+    fs::permissions(here / "out.json", fs::perms::owner_read | fs::perms::owner_write);
+    here.write("out.json.part999999999", "half"); // no process has this number
+    here.write("out.json.part" + std::to_string(getpid()), "of one that runs");
+    REQUIRE(here.run(quick + "--json out.json").code == 0);
+    CHECK(fs::status(here / "out.json").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+    CHECK_FALSE(fs::exists(here / "out.json.part999999999"));
+    CHECK(fs::exists(here / ("out.json.part" + std::to_string(getpid()))));
+}
+
+TEST_CASE("Google Benchmark's format") {
+    const bench here;
+    REQUIRE(
+        here.run("--family generic --count 12 --types double --timing 0.05 --benchmark-json times.json --json out.json")
+            .code == 0);
+    const auto json = nlohmann::json::parse(content_of(here / "times.json"));
+    const compare::results found = compare::read_results((here / "out.json").string());
+    std::size_t repeats = 0;
+    for (const compare::row& r : found.rows) {
+        CHECK(r.repeated.size() == r.repeats);
+        repeats += r.repeats;
+    }
+    CHECK(json["benchmarks"].size() == repeats);
+    const auto& first = json["benchmarks"][0];
+    CHECK(first["name"] == "generic/double/textbook/printed");
+    CHECK(first["real_time"] == found.rows[0].repeated[0]);
+    CHECK(first["time_unit"] == "ns");
+    CHECK(first["run_type"] == "iteration");
+    for (const char* key : {"date", "host_name", "executable", "num_cpus", "mhz_per_cpu", "cpu_scaling_enabled",
+                            "caches", "load_avg", "library_build_type"}) {
+        CHECK(json["context"].contains(key));
+    }
+    for (const char* key : {"family_index", "per_family_instance_index", "run_name", "repetitions", "repetition_index",
+                            "threads", "iterations", "cpu_time"}) {
+        CHECK(first.contains(key));
     }
 }
 
@@ -145,7 +271,7 @@ TEST_CASE("options choose") {
     CHECK_FALSE(holds(e.out, "textbook"));
     CHECK(holds(here.run("--family tangent --count 4 --types CGAL::Exact_rational,double --timing 0").out, "double"));
     CHECK(holds(here.run("--help").out, "--family"));
-    CHECK(holds(here.run("diff --help").out, "new"));
+    CHECK(holds(here.run("diff --help").out, "earliest"));
 }
 
 TEST_CASE("the same seed gives the same answers, and diff tells what changed") {
@@ -159,10 +285,23 @@ TEST_CASE("the same seed gives the same answers, and diff tells what changed") {
     compare::results changed = compare::read_results((here / "two.json").string());
     changed.rows[0].error(compare::quantity::velocity).largest *= 2;
     here.write("worse.json", compare::to_json(changed));
-    const ending worse = here.run("diff one.json worse.json");
+    const ending worse = here.run("diff one.json worse.json --report diff.html");
+    CHECK(holds(content_of(here / "diff.html"), "velocity, largest error"));
     CHECK(worse.code == 1);
     CHECK(holds(worse.out, "velocity, largest error"));
     CHECK(here.run("diff worse.json one.json").code == 0);
+    const ending history = here.run("diff one.json two.json worse.json --report history.html");
+    CHECK(history.code == 1);
+    CHECK(holds(history.out, "run by run"));
+    CHECK(holds(history.out, "worse.json beside two.json"));
+    CHECK(holds(content_of(here / "history.html"), "The history of 3 results"));
+    compare::results exact = compare::read_results((here / "one.json").string());
+    exact.as = "exact", exact.seed = 4;
+    here.write("exact.json", compare::to_json(exact));
+    const std::string other = here.run("diff one.json exact.json").out;
+    CHECK(other.starts_with("The settings differ."));
+    CHECK(holds(other, "--as: double -> exact"));
+    CHECK(holds(other, "--seed: 3 -> 4"));
 
     changed.rows.clear();
     here.write("empty.json", compare::to_json(changed));

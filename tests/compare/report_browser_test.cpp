@@ -5,6 +5,7 @@
 
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -106,7 +107,8 @@ TEST_CASE("a telephone scrolls only downwards and shows every picture") {
     CHECK(page.needed_width <= 390);
     CHECK(page.too_wide.empty());
     CHECK(page.references == 0);
-    CHECK(page.scripts == 1);
+    CHECK(page.scripts == 3); // hints of marks, the pairs' data, and the dots
+    CHECK(count_of(page, "dots-of-pairs") == 3);
     CHECK(page.paper > 0.9);
     check_pictures(page);
 }
@@ -130,6 +132,51 @@ TEST_CASE("a desk in the dark") {
     check_pictures(page);
 }
 
+TEST_CASE("a row leads to its pair's dot, the dot and the pair back to the row, and types can be switched off") {
+    // Each step says what it saw; hashchange comes after a click.
+    const std::string seen = eyes::done_in(report(), 1200, R"(
+      const step = () => new Promise(done => setTimeout(done, 50));
+      const button = document.querySelector('tr[id^=row-] .opens'), row = button.closest('tr');
+      button.click();
+      const opened = row.nextElementSibling.className, link = row.nextElementSibling.querySelector('a[href^="#pair-"]');
+      link.click(); await step();
+      const pair = /pair-(\d+)/.exec(location.hash)[1], card = document.querySelector('.card');
+      const rings = document.querySelectorAll('.dots-of-pairs .chosen').length, told = card.textContent;
+      const back = card.querySelector(`a[href="#${row.id}"]`);
+      document.querySelectorAll('details').forEach(d => d.open = false);
+      back.click(); await step();
+      const visible = row.getBoundingClientRect().height > 0, again = row.nextElementSibling.className;
+      const svg = document.querySelector('.border .dots-of-pairs'), path = svg.querySelector('[data-line="1"]');
+      const [x, y] = /M([\d.]+) ([\d.]+)/.exec(path.getAttribute('d')).slice(1).map(Number), box = svg.getBoundingClientRect();
+      const at = {clientX: box.left + x * box.width / 360, clientY: box.top + y * box.height / 300, bubbles: true};
+      svg.dispatchEvent(new PointerEvent('pointermove', at));
+      const named = document.querySelector('#dots > output').textContent;
+      svg.dispatchEvent(new MouseEvent('click', at)); await step();
+      const by_dot = location.hash, heading = card.querySelector('h3').textContent;
+      document.getElementById('dots-line-1').click();
+      const gone = svg.querySelector('[data-line="1"]') === null;
+      const groups = document.querySelectorAll('[name=dots-group]').length;
+      return {opened, pair, rings, told, visible, again, named, by_dot, heading, gone, groups};)");
+    const auto saw = nlohmann::json::parse(seen);
+    CAPTURE(seen);
+    REQUIRE_FALSE(saw.contains("failed"));
+    CHECK(saw["opened"] == "worst");
+    CHECK(saw["rings"] > 0);
+    const std::string told = saw["told"], pair = saw["pair"], named = saw["named"], by_dot = saw["by_dot"],
+                      heading = saw["heading"];
+    CHECK(told.starts_with("Pair " + pair + ":"));
+    CHECK(told.find("0x1p+0") != std::string::npos); // its numbers in hexadecimal
+    CHECK(told.find("--pair " + pair + " --types") != std::string::npos);
+    CHECK(saw["visible"] == true);
+    CHECK(saw["again"] == "worst");
+    CHECK(named.starts_with("pair "));
+    CHECK(by_dot.starts_with("#pair-"));
+    CHECK(heading.starts_with("Pair " + by_dot.substr(6) + ":"));
+    CHECK(named.starts_with("pair " + by_dot.substr(6) + ","));
+    CHECK(saw["gone"] == true);
+    CHECK(saw["groups"] == 4);
+}
+
 TEST_CASE("what is missing or too wide is noticed") {
     const auto& page = seen().broken;
     CHECK(page.needed_width > 390);
@@ -137,8 +184,9 @@ TEST_CASE("what is missing or too wide is noticed") {
     CHECK(page.references == 1);
     REQUIRE(count_of(page, "speed") == 1);
     for (const auto& p : page.pictures) {
-        CHECK(p.drawn == 0);
-        CHECK(p.ink == 0);
+        const bool is_drawn_later = p.name == "dots-of-pairs"; // by the script, as soon as the page is there
+        CHECK((p.drawn == 0) != is_drawn_later);
+        CHECK((p.ink == 0) != is_drawn_later);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,24 @@ error_statistics errors_of(const type_information& t, double condition, std::siz
     return e;
 }
 
+constexpr std::size_t pairs_of_a_group = 60;
+
+std::size_t number_of(const family& f, std::size_t i) {
+    return static_cast<std::size_t>(&f - families.data()) * pairs_of_a_group + i + 1;
+}
+
+// The first pair is each row's worst, and the second the one that it decides wrongly.
+void add_pairs(row& r, const type_information& t, const family& f) {
+    for (std::size_t i = 0; i < pairs_of_a_group; ++i) {
+        const double error = error_of(t, static_cast<double>(i % 17) / 2);
+        r.dots.push_back(i == 1 && !t.is_exact ? dot_wrong : i % 5 == 4 ? dot_absent : static_cast<float>(error));
+    }
+    if (!t.is_exact) {
+        r.extremes = {{"time", "largest", number_of(f, 0), error_of(t, 9), "1.25", "1.26"},
+                      {"hit_or_miss", "nearest", number_of(f, 1), 0, "hit", "<miss>"}};
+    }
+}
+
 row row_of(const type_information& t, const std::string& variant, const std::string& root, const family& f) {
     row r;
     r.type = t.name, r.variant = variant, r.root = root, r.group = f.name;
@@ -121,6 +140,7 @@ row row_of(const type_information& t, const std::string& variant, const std::str
     r.error(quantity::discriminant) = errors_of(t, worst + 1, 2000);
     r.error(quantity::position) = errors_of(t, worst / 2, 1200);
     r.error(quantity::velocity) = errors_of(t, worst / 2 + 2, 1200);
+    add_pairs(r, t, f);
     r.momentum = {1200, 700, t.is_exact ? 0 : 1e-17, t.is_exact ? 0 : 3e-16};
     r.energy = {1200, 100, t.is_exact ? 0 : 1e-16, t.is_exact ? 0 : 9e-15};
     return r;
@@ -132,6 +152,22 @@ group_information group_of(const family& f) {
     g.pairs = 2000, g.pairs_of = 124750, g.hardness_name = f.hardness_name;
     g.kinds = {{"ball_ball", 2000}};
     g.encounters = {{"recede", 1000}, {"miss", 400}, {"graze", 100}, {"hit", 500}};
+    for (std::size_t i = 0; i < pairs_of_a_group; ++i) {
+        const int k = f.first > 0 ? f.first + static_cast<int>(i) % (f.last - f.first + 1) : -1;
+        g.places.push_back({number_of(f, i), "ball <" + std::to_string(i) + "> and wall 0", k,
+                            i % 5 == 4 ? std::nullopt : std::optional(0.1 * static_cast<double>(i + 1)),
+                            std::exp2(-static_cast<double>(i))});
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        pair_information p;
+        p.number = number_of(f, i), p.name = g.places[i].name, p.kind = "ball_ball", p.hardness = g.places[i].hardness;
+        p.encounter = "hit", p.time = "1.25", p.border = g.places[i].border;
+        p.numbers = {{"a position", "1, 0", "0x1p+0, 0x0p+0"}};
+        p.scene =
+            R"({"dimension": 2, "name": "a </script> pair", "balls": [{"position": ["0x1p+0", "0x0p+0"], "velocity":
+            ["1/3", "0x0p+0"], "radius": "0x1p-1", "mass": "inf"}]})";
+        g.shown.push_back(p);
+    }
     for (int k = f.first; k <= f.last && f.first > 0; ++k) {
         conditioning c;
         c.kind = "ball_ball", c.hardness = k, c.count = 40;
@@ -147,6 +183,7 @@ group_information group_of(const family& f) {
 
 results sample_results() {
     results found;
+    found.program = "graze-compare", found.inputs = " 'a <scene>.json'";
     found.command = "graze-compare --report report.html \"a <scene>.json\"";
     found.machine = {"Intel(R) Xeon(R) Processor", "g++ 12.2.0", "-O2", "Linux x86_64", "2025-11-22", "0.1.0"};
     found.source = "default", found.as = "double", found.seed = 1, found.seconds = 73;

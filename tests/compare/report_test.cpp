@@ -2,6 +2,7 @@
 #include "report.hpp"
 #include "report_sample.hpp"
 
+#include "report/dots.hpp"
 #include "report/gnuplot.hpp"
 #include "report/picture.hpp"
 #include "report/pictures.hpp"
@@ -95,7 +96,8 @@ TEST_CASE("the report says first what the answer is and how it was found") {
 
 TEST_CASE("names from outside stay text") {
     const std::string& html = sample_report();
-    CHECK(count(html, "<script") == 1); // the page's own
+    CHECK(count(html, "<script") == 3); // the page's own
+    CHECK(count(html, "</script>") == 3);
     CHECK(count(html, "alert(1)") > 0);
     CHECK(count(html, "<this>") == 0);
     CHECK(count(html, "<b>is</b>") == 0);
@@ -131,6 +133,37 @@ TEST_CASE("every type and variant has a point with its name, and a line in a tab
     }
 }
 
+TEST_CASE("large groups are thinned, what is extreme stays, and the page says so") {
+    auto found = sample_results();
+    auto& g = found.groups[1];
+    for (std::size_t i = 0; i < 20000; ++i) {
+        g.places.push_back({100000 + i, "pair", 3, 1.0, 0.5});
+        for (auto& r : found.rows) {
+            if (r.group == g.name) {
+                r.dots.push_back(i == 12345 ? 1e9F : 1.0F);
+            }
+        }
+    }
+    g.shown.push_back(g.shown[0]);
+    g.shown.back().number = 100777;
+    const std::string data = dots_data(found, 3000), all = dots_data(found, 30000);
+    CHECK(data.find("112345,") != std::string::npos); // the worst of each line
+    CHECK(data.find("100777,") != std::string::npos); // what a row is wrong on
+    CHECK(data.size() < all.size() / 3);              // the rows are the same
+    CHECK(dots_remark(found, 3000).find("of 20\u2009060") != std::string::npos);
+    CHECK(dots_remark(found, 30000).empty());
+    CHECK(count(report_of(found), "Not all pairs are drawn.") == 1);
+}
+
+TEST_CASE("a scene's pairs have no hardness, which is said once") {
+    auto found = sample_results();
+    found.groups.resize(1);
+    std::erase_if(found.rows, [&](const auto& r) { return r.group != found.groups[0].name; });
+    const std::string html = report_of(found);
+    CHECK(count(html, "these pairs have no hardness") == 1);
+    CHECK(count(html, "Nothing was measured for this picture") == 0);
+}
+
 TEST_CASE("without gnuplot the report says so and keeps its tables") {
     const auto found = sample_results();
     const std::string& with = sample_report();
@@ -138,7 +171,7 @@ TEST_CASE("without gnuplot the report says so and keeps its tables") {
     const path_is nothing(empty.path.string());
     const std::string without = report_of(found);
     CHECK(without.find("gnuplot is not installed") < without.find("<section"));
-    CHECK(count(without, "<svg class=") == 0);
+    CHECK(count(without, "<svg class=") == count(without, "<svg class=\"dots-of-pairs\"")); // which a script draws
     CHECK(count(without, "<table") == count(with, "<table"));
     CHECK(count(without, "<tr") == count(with, "<tr"));
     CHECK_THROWS_WITH_AS(compare::write_picture(found, (empty.path / "speed.svg").string()),
@@ -294,6 +327,7 @@ TEST_CASE("numbers for people") {
     CHECK(readable_count(1234) == "1234");
     CHECK(readable_count(124750) == "124\u2009750");
     CHECK(counted(1, "pair", "pairs") == "1 pair");
+    CHECK(escaped("a\u202eb\u2028c\u00e9") == "a?b?c\u00e9"); // overrides and line separators, not letters
     CHECK(escaped("<a b='c'>&\"\x01") == "&lt;a b=&#39;c&#39;&gt;&amp;&quot;?");
 }
 

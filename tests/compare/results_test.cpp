@@ -4,16 +4,21 @@
 #include "input_error.hpp"
 #include "json_results.hpp"
 #include "report_sample.hpp"
+#include "significance.hpp"
 #include "whole_file.hpp"
 
 #include <doctest/doctest.h>
 
 #include <unistd.h>
 
+#include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 using namespace compare;
 
@@ -107,7 +112,7 @@ TEST_CASE("files that are no results say where they are wrong") {
     CHECK(error_of("[]") == ": an object expected");
     CHECK(error_of("{}") == ": the key \"schema\" is missing");
     CHECK(error_of(R"({"schema": "other"})") == ": /schema: \"graze-compare\" expected: not a comparison");
-    CHECK(error_of(R"({"schema": "graze-compare", "version": 2})") == ": /version: version 1 expected, not 2");
+    CHECK(error_of(R"({"schema": "graze-compare", "version": 3})") == ": /version: versions 1 to 2 can be read, not 3");
     std::string text = to_json(small_results());
     const auto place = text.find("\"pairs\": 100");
     REQUIRE(place != std::string::npos);
@@ -116,7 +121,7 @@ TEST_CASE("files that are no results say where they are wrong") {
     CHECK_THROWS_AS(static_cast<void>(read_results("/nonexistent/file.json")), input_error);
 }
 
-TEST_CASE("the answer is the cheapest that is good enough, and the cheapest that is exact") {
+TEST_CASE("the answer is the cheapest that is good enough, and the cheapest with exact values") {
     results found = small_results();
     draw_conclusions(found);
     REQUIRE(found.good_enough);
@@ -124,9 +129,10 @@ TEST_CASE("the answer is the cheapest that is good enough, and the cheapest that
     CHECK(found.good_enough->variant == "lagrange");
     REQUIRE(found.exact);
     CHECK(found.exact->variant == "lagrange");
-    CHECK(found.sentence == "The cheapest type with no wrong decision and every time good to 15 digits here is double "
-                            "(lagrange, stable root, 20 ns a pair); the cheapest that is exact is rational (lagrange, "
-                            "stable root, 800 ns a pair).");
+    CHECK(found.sentence ==
+          "The cheapest type with no wrong decision and every time right to 15 digits is double "
+          "(lagrange, stable root, 20.0 ns a pair); the cheapest with exact values is rational (lagrange, "
+          "stable root, 800 ns a pair).");
     const std::vector<bool> front = {true, true, false, false, true};
     for (std::size_t i = 0; i < front.size(); ++i) {
         CHECK(found.rows[i].on_front == front[i]);
@@ -134,7 +140,7 @@ TEST_CASE("the answer is the cheapest that is good enough, and the cheapest that
     found.digits = 16; // 51 bits are 15.35 digits
     draw_conclusions(found);
     CHECK(found.good_enough->type == "rational");
-    CHECK(found.sentence.find("rational (lagrange, stable root, 800 ns a pair), and it is exact.") !=
+    CHECK(found.sentence.find("rational (lagrange, stable root, 800 ns a pair), and its values are exact.") !=
           std::string::npos);
     found.rows.resize(1);
     draw_conclusions(found);
@@ -155,23 +161,32 @@ TEST_CASE("an open decision is none, and a type must have been tried everywhere"
     CHECK_FALSE(found.good_enough);
 }
 
+namespace {
+
+std::string told(const change& c) { return c.row + ": " + c.what + " " + c.before + " -> " + c.after; }
+
+// Fifteen repeats about a time, in an order that is not theirs by size.
+std::vector<double> repeats_about(double time) {
+    std::vector<double> all;
+    for (int i = 0; i < 15; ++i) {
+        all.push_back(time * (1 + 0.002 * (i * 7 % 15)));
+    }
+    return all;
+}
+
+} // namespace
+
 TEST_CASE("differences") {
     const results before = small_results();
     results after = before;
     CHECK(compare_results(before, after).same == 5);
-    after.rows[0].nanoseconds = 1000;
-    difference d = compare_results(before, after);
-    CHECK(d.worse.empty());
-    CHECK(d.slower.size() == 1);
-    CHECK(d.same == 5);
-    after = before;
     after.rows[1].decisions.overlap = 1;
     after.rows[0].error(quantity::time).largest = 39.5;
-    d = compare_results(before, after);
+    difference d = compare_results(before, after);
     REQUIRE(d.worse.size() == 1);
-    CHECK(d.worse[0] == "g: double lagrange/stable: wrong on overlap 0 -> 1");
+    CHECK(told(d.worse[0]) == "g: double lagrange/stable: wrong on overlap 0 -> 1");
     REQUIRE(d.better.size() == 1);
-    CHECK(d.better[0] == "g: double textbook/stable: time, largest error 40.0 -> 39.5");
+    CHECK(told(d.better[0]) == "g: double textbook/stable: time, largest error 40.0 -> 39.5");
     after = before;
     after.rows[2].error(quantity::time).median = 0.75;
     CHECK(compare_results(before, after).worse.size() == 1);
@@ -183,4 +198,138 @@ TEST_CASE("differences") {
     CHECK(d.not_comparable.size() == 1);
     CHECK(d.only_old.size() == 1);
     CHECK(d.only_new.size() == 1);
+}
+
+TEST_CASE("what moved most comes first, and figures that print alike get more digits") {
+    results before = small_results();
+    before.rows[0].error(quantity::time).largest = 1.9e12;
+    results after = before;
+    after.rows[0].error(quantity::time).largest = 1.901e12;
+    after.rows[1].error(quantity::time).largest = 200;
+    const difference d = compare_results(before, after);
+    REQUIRE(d.worse.size() == 2);
+    CHECK(told(d.worse[0]) == "g: double lagrange/stable: time, largest error 2.00 -> 200");
+    CHECK(told(d.worse[1]) == "g: double textbook/stable: time, largest error 1.9e+12 -> 1.901e+12");
+}
+
+TEST_CASE("other settings are told first") {
+    const results before = small_results();
+    results after = before;
+    after.as = "exact", after.seed = 7, after.source = "elsewhere", after.machine.compiler = "another";
+    after.groups[0].encounters["hit"] = 3;
+    const std::string text = to_text(compare_results(before, after));
+    CHECK(text.starts_with("The settings differ."));
+    for (const char* said : {"--as: none -> exact", "--seed: 0 -> 7", "source: none -> elsewhere",
+                             "pairs of g: as many, but others", "compiler: none -> another"}) {
+        CAPTURE(said);
+        CHECK(text.find(said) != std::string::npos);
+    }
+    CHECK(text.find("settings differ") < text.find("rows compared"));
+    CHECK(to_text(compare_results(before, before)).starts_with("5 rows compared: 5 the same"));
+}
+
+TEST_CASE("times differ where their repeats do, less what the whole machine does") {
+    results before = small_results();
+    for (row& r : before.rows) {
+        r.repeated = repeats_about(*r.nanoseconds);
+    }
+    results after = before;
+    CHECK(compare_results(before, after).slower.empty());
+    CHECK(compare_results(before, after).times_compared == 5);
+    *after.rows[0].nanoseconds *= 1.5;
+    after.rows[0].repeated = repeats_about(*after.rows[0].nanoseconds);
+    difference d = compare_results(before, after);
+    REQUIRE(d.slower.size() == 1);
+    CHECK(told(d.slower[0]) == "g: double textbook/stable: time 10.0 ns -> 15.0 ns");
+    CHECK(compare_results(after, before).faster.size() == 1);
+    // A slow repeat or two are noise, and so is 4%, however sure.
+    after = before;
+    after.rows[0].repeated[3] *= 50, after.rows[0].repeated[9] *= 50;
+    after.rows[1].repeated = repeats_about(1.04 * 20);
+    after.rows[1].nanoseconds = 1.04 * 20;
+    d = compare_results(before, after);
+    CHECK(d.slower.empty());
+    // On a machine that is busy, every row takes longer, and one more than that.
+    for (int copy = 0; copy < 2; ++copy) {
+        for (int i = 0; i < 5; ++i) {
+            row r = before.rows[static_cast<std::size_t>(i)];
+            r.type += std::to_string(copy);
+            before.rows.push_back(r);
+        }
+    }
+    after = before;
+    for (row& r : after.rows) {
+        r.nanoseconds = 1.7 * *r.nanoseconds;
+        r.repeated = repeats_about(*r.nanoseconds);
+    }
+    CHECK(compare_results(before, after).slower.empty());
+    CHECK(to_text(compare_results(before, after)).find("by which all are slower") != std::string::npos);
+    after.rows[6].repeated = repeats_about(2 * *after.rows[6].nanoseconds);
+    after.rows[6].nanoseconds = 2 * *after.rows[6].nanoseconds;
+    CHECK(compare_results(before, after).slower.size() == 1);
+}
+
+TEST_CASE("the Mann-Whitney test agrees with all the ways to choose") {
+    // Of two series of six, each way to divide the twelve values is as likely as any other.
+    const std::vector<double> values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+    for (const unsigned mine : {0x03fU, 0x06fU, 0x0dbU, 0x555U, 0x2f8U}) { // six bits each
+        std::vector<double> x, y;
+        const auto off = [&](unsigned chosen) {
+            double sum = 0;
+            for (unsigned i = 0; i < 12; ++i) {
+                sum += (chosen >> i & 1U) != 0 ? values[i] : 0;
+            }
+            return std::fabs(sum - 39);
+        };
+        double as_uneven = 0, all = 0;
+        for (unsigned chosen = 0; chosen < 4096; ++chosen) {
+            if (std::popcount(chosen) == 6) {
+                ++all;
+                as_uneven += off(chosen) >= off(mine) ? 1 : 0;
+            }
+        }
+        for (unsigned i = 0; i < 12; ++i) {
+            ((mine >> i & 1U) != 0 ? x : y).push_back(values[i]);
+        }
+        REQUIRE(x.size() == 6);
+        CHECK(std::fabs(probability_of_no_difference(x, y) - as_uneven / all) < 0.02);
+        CHECK(probability_of_no_difference(x, y) == doctest::Approx(probability_of_no_difference(y, x)));
+    }
+    CHECK(probability_of_no_difference({1, 1, 1, 1}, {1, 1, 1, 1}) == 1);
+    CHECK(probability_of_no_difference({1, 2}, {9, 10}) == 1); // too few to tell
+}
+
+TEST_CASE("files of version 1, without pairs and repeats, are read") {
+    std::string text = to_json(small_results());
+    text.replace(text.find("\"version\": 2"), 12, "\"version\": 1");
+    for (const char* field :
+         {"\"repeated\": [],", "\"extremes\": [],", "\"shown\": []", "\"program\": \"\",", "\"inputs\": \"\","}) {
+        for (auto at = text.find(field); at != std::string::npos; at = text.find(field)) {
+            const bool is_last = std::string(field) == "\"shown\": []";
+            const auto from = is_last ? text.rfind(',', at) : at;
+            text.erase(from, at + std::string(field).size() - from);
+        }
+    }
+    const temporary_file file;
+    write_whole_file(file.path, text);
+    const results old = read_results(file.path);
+    CHECK(old.rows.size() == 5);
+    CHECK(compare_results(old, small_results()).compared == 5);
+}
+
+TEST_CASE("a history tells every row, run by run") {
+    const results first = small_results();
+    results second = first, third = first;
+    second.rows[1].error(quantity::time).fewest_bits = 40;
+    third.rows.erase(third.rows.begin());
+    third.rows[0].decisions.overlap = 2;
+    const auto all = history_of({first, second, third});
+    REQUIRE(all.size() == 5);
+    CHECK(all[0].variant == "lagrange"); // the last result's rows first
+    CHECK(all[0].digits[1] == doctest::Approx(40 / std::log2(10.0)));
+    CHECK(all[0].wrong == std::vector<std::optional<std::size_t>>{0, 0, 2});
+    CHECK(all[4].variant == "textbook");
+    CHECK_FALSE(all[4].digits[2]);
+    const std::string text = history_text({first, second, third}, {"a", "b", "c"});
+    CHECK(text.find("3 rows the same in every run") != std::string::npos);
 }

@@ -25,6 +25,6 @@ endforeach()
 graze_add_test(compare_run_program_test SOURCES run_program_test.cpp LIBRARIES nlohmann_json::nlohmann_json TIMEOUT 300)
 target_compile_definitions(compare_run_program_test PRIVATE
     "GRAZE_COMPARE=\"$<TARGET_FILE:graze-compare>\"" "GRAZE_SCENES=\"${PROJECT_SOURCE_DIR}/examples/scenes\""
-    "GRAZE_TEST_SCENES=\"${CMAKE_CURRENT_SOURCE_DIR}/scenes\""
+    "GRAZE_TEST_SCENES=\"${CMAKE_CURRENT_SOURCE_DIR}/scenes\"" "GRAZE_BAD_INPUTS=\"${CMAKE_CURRENT_SOURCE_DIR}/bad\""
     "GRAZE_JSON_PAGE=\"${PROJECT_SOURCE_DIR}/docs/reference/run-json.md\"")
 add_dependencies(compare_run_program_test graze-compare graze-compare-run)

@@ -203,39 +203,11 @@ TEST_CASE("the help of the subcommand says how it is called") {
 
 TEST_CASE("bad input ends with 2 and one line that says what is wrong") {
     const bench here;
-    here.write("empty.json", "{}");
-    const std::string scene = GRAZE_SCENES "/sinai.json ";
-    const std::vector<std::pair<std::string, std::string>> all = {
-        {"run", "scene"},
-        {"run missing.json --until 1", "missing.json"},
-        {"run empty.json --until 1", "empty.json"},
-        {"run " + scene, "--until or --collisions"},
-        {"run " + scene + "--until soon", "--until"},
-        {"run " + scene + "--until -1", "before the start"},
-        {"run " + scene + "--collisions 0", "--collisions"},
-        {"run " + scene + "--until 1 --digits 0", "--digits"},
-        {"run " + scene + "--until 1 --types flaot", "flaot"},
-        {"run " + scene + "--until 1 --distance 7", "no ball 7"},
-        {"run " + scene + "--until 1 --distance -1", "--distance: -1 is not a ball's number"},
-        {"run " + scene + "--until 1 --timing nan", "--timing"},
-        {"run " + scene + "--until 1 --certified --types double", "--certified"},
-        {"run " + scene + "--until 1 --beside float", "--paths"},
-        {"run " + scene + "--until 1 --paths p.svg --beside flaot", "flaot"},
-        {"run " + scene + "--until 1 --certified --picture p.svg", "--certified"},
-        {"run " + scene + "--until 1 --json nowhere/out.json", "nowhere"},
-        {"run " GRAZE_SCENES "/long_corridor.json --until 1 --paths p.svg", "no scene in the plane"},
-    };
-    const std::size_t before = here.files();
-    for (const auto& [arguments, says] : all) {
-        INFO(arguments);
-        const ending e = here.run(arguments);
-        INFO(e.err);
-        CHECK(e.code == 2);
-        CHECK(e.out.empty());
-        CHECK(std::count(e.err.begin(), e.err.end(), '\n') == 1);
-        CHECK(holds(e.err, says));
-        CHECK(here.files() == before);
-    }
+    here.copy_from(GRAZE_BAD_INPUTS);
+    workshop::check_bad_lines(here, "commands.txt", true);
+    const ending e = here.run("run " GRAZE_SCENES "/long_corridor.json --until 1 --paths p.svg");
+    CHECK(e.code == 2);
+    CHECK(holds(e.err, "no scene in the plane"));
 }
 
 TEST_CASE("a point bounces off what it meets and off nothing else") {

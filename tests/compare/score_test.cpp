@@ -1,9 +1,13 @@
 // Answers compared with the truth: which decision was wrong, and which values are compared.
 #include "score.hpp"
 
+#include "rounding.hpp"
+
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 using namespace compare;
 using graze::encounter;
@@ -126,4 +130,80 @@ TEST_CASE("what is not a number is an infinite error") {
     const row r = scored(a, t);
     CHECK(r.error(quantity::time).not_finite == 1);
     CHECK(std::isinf(r.error(quantity::time).largest));
+}
+
+TEST_CASE("the distance from each border, where geometry tells it") {
+    // Head on, R = 2, 10 apart: f = |Δx|² - R² = 96, L² = 104, |Δu| = 2, h = -20; they meet centre on centre, least f
+    // is -4.
+    border_distances d = head_on().borders;
+    CHECK(d.receding == doctest::Approx(20 / (std::sqrt(104.0) * 2)));
+    CHECK(d.overlapping == doctest::Approx(96.0 / 104));
+    CHECK(d.hitting == doctest::Approx(4.0 / 104));
+    CHECK(nearest_border(encounter::hit, d) == d.hitting);
+    CHECK(nearest_border(encounter::overlap, d) == doctest::Approx(96.0 / 104));
+    CHECK(nearest_border(encounter::recede, d) == d.receding);
+    // A graze is on its border, and one that misses by 2^-40 of R is beside it by 2 R² 2^-40/L², about.
+    problem<2> pair;
+    pair.a = {{{{exact(0), exact(2)}}, {{exact(2), exact(0)}}, exact(1), exact(1)}, exact(1)};
+    pair.b = {{{{exact(10), exact(0)}}, {{exact(0), exact(0)}}, exact(1), exact(1)}, exact(1)};
+    CHECK(border_distances_of(pair).hitting == 0);
+    pair.a.shape.position[1] += exact(2) / exact(exact_integer(1) << 40U);
+    CHECK(border_distances_of(pair).hitting == doctest::Approx(8 * std::exp2(-40) / 108));
+    // A point flies straight through a segment of length 8, 1 from its end; from a height of 3, with L² = 9 + 1 + 64.
+    pair.kind = pair_kind::ball_wall;
+    pair.a = {{{{exact(1), exact(3)}}, {{exact(0), exact(-1)}}, exact(0), exact(1)}, exact(1)};
+    pair.wall = {{{exact(0), exact(0)}}, {{{{exact(8), exact(0)}}}}};
+    d = border_distances_of(pair);
+    CHECK(d.hitting == doctest::Approx(1.0 / 74));
+    CHECK(d.overlapping == doctest::Approx(9.0 / 74));
+    CHECK(d.receding == doctest::Approx(3 / std::sqrt(74.0)));
+    // Beside the end by 2: least f is 4.
+    pair.a.shape.position[0] = -2;
+    CHECK(border_distances_of(pair).hitting == doctest::Approx(4.0 / 77));
+    // In space, over the middle of a square of side 2 whose rim is 1 away; and beside its corner by (3, 4).
+    problem<3> space;
+    space.kind = pair_kind::ball_wall;
+    space.a = {{{{exact(1), exact(1), exact(5)}}, {{exact(0), exact(0), exact(-1)}}, exact(0), exact(1)}, exact(1)};
+    space.wall = {{{exact(0), exact(0), exact(0)}},
+                  {{{{exact(2), exact(0), exact(0)}}, {{exact(0), exact(2), exact(0)}}}}};
+    CHECK(border_distances_of(space).hitting == doctest::Approx(1.0 / (27 + 8)));
+    space.a.shape.position = {{exact(-3), exact(-4), exact(5)}};
+    CHECK(border_distances_of(space).hitting == doctest::Approx(25.0 / (50 + 8)));
+}
+
+TEST_CASE("the wrong and the worst pairs are kept, by number, with what was said") {
+    const truth t = head_on();
+    truth near = t, far = t;
+    near.borders.hitting = 1e-9, far.borders.hitting = 0.5;
+    row_score score;
+    score.add(deciding(encounter::miss), t, -1, 4);
+    score.add(deciding(encounter::miss), near, -1, 5);
+    score.add(deciding(encounter::miss), far, -1, 6);
+    answer off = right_answer(t), worse = off;
+    off.time = wide(4.5);
+    worse.time = not_finite{};
+    score.add(off, t, -1, 7);
+    score.add(right_answer(t), t, -1, 8);
+    row r;
+    score.write_to(r);
+    const auto find = [&](const std::string& what, const std::string& which) {
+        const auto at = std::find_if(r.extremes.begin(), r.extremes.end(),
+                                     [&](const extreme_pair& e) { return e.what == what && e.which == which; });
+        REQUIRE(at != r.extremes.end());
+        return *at;
+    };
+    CHECK(find("hit_or_miss", "nearest").pair == 5);
+    CHECK(find("hit_or_miss", "farthest").pair == 6);
+    CHECK(find("hit_or_miss", "farthest").said == "miss");
+    CHECK(find("hit_or_miss", "farthest").right == "hit");
+    CHECK(find("time", "largest").pair == 7);
+    CHECK(find("time", "largest").said == "4.5");
+    CHECK(find("time", "largest").right == "4");
+    CHECK(r.dots.size() == 5);
+    CHECK(r.dots[0] == dot_wrong);
+    CHECK(r.dots[4] == 0);
+    score.add(worse, t, -1, 9);
+    score.write_to(r = {});
+    CHECK(find("time", "largest").pair == 9);
+    CHECK(find("time", "largest").said == "no finite number");
 }

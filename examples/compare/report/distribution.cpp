@@ -78,8 +78,9 @@ std::string distribution_picture(const results& found, const group_information& 
     p.tics('y', {{0, "0 %"}, {25, "25 %"}, {50, "50 %"}, {75, "75 %"}, {100, "100 %"}});
     p.add("set arrow from -1,graph 0 to -1,graph 1 nohead back lw 1 dt (4,4) lc " + picture::colour(ink::muted));
     p.label("share of the times", "screen 0.008", screen_y(p.height() - 13.5), "left", ink::muted);
-    p.label("error of τ in ulps →", "graph 1", screen_y(key_height(found, keyed) + 10.5), "right", ink::muted);
-    p.label("½ ulp", "first -0.3", "graph 0.04", "left", ink::muted, 11);
+    p.label("error of τ in units in the last place →", "graph 1", screen_y(key_height(found, keyed) + 10.5), "right",
+            ink::muted);
+    p.label("½ unit", "first -0.3", "graph 0.04", "left", ink::muted, 11);
     p.add(blocks + "plot " + plots.substr(2));
     return p.svg();
 }

@@ -154,7 +154,7 @@ void speed_plot::level(double height, const std::string& style, ink role) {
 void speed_plot::guides() {
     const double half_unit = axis_.height(-53 * std::log10(2.0));
     level(half_unit, "lw 1 dt (4,4)", ink::muted);
-    p_.label(narrow_ ? "½ ulp of a double" : "half a unit in the last place of a double", "graph 0.995",
+    p_.label(narrow_ ? "½ unit of a double" : "half a unit in the last place of a double", "graph 0.995",
              "first " + exactly(half_unit) + " offset 0,0.5", "right", ink::muted, 11);
     if (axis_.bends()) {
         level(error_axis::bend - 0.5, "lw 1 dt (1,3)", ink::muted);

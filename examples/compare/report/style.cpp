@@ -70,6 +70,17 @@ thead th { overflow-wrap: normal; color: var(--muted); font-weight: 500; vertica
 .bad { color: var(--bad); }
 .open { color: var(--open); }
 .figures tbody tr:hover { background: var(--panel); }
+.controls label { display: inline-block; margin-right: 1em; font-size: .9rem; }
+.dots-of-pairs text { font-size: 11px; fill: var(--muted); stroke: none; }
+.dots-of-pairs .rule { stroke: var(--grid); stroke-width: 1; }
+.dots-of-pairs .dots { stroke-width: 3; stroke-linecap: round; stroke-opacity: .7; }
+.dots-of-pairs .chosen { fill: none; stroke: var(--text); stroke-width: 1.6; }
+.panels figure[hidden] { display: none; }
+.card pre { white-space: pre-wrap; font-size: .8rem; }
+.opens { border: 0; background: none; color: var(--one); cursor: pointer; padding: 0 .4em 0 0; font: inherit; }
+.opens[aria-expanded=true] { transform: rotate(90deg); display: inline-block; }
+.figures .list { text-align: left; white-space: normal; }
+.list ul, .card ul { margin: .2em 0; padding-left: 1.2em; font-size: .85rem; }
 @media screen and (max-width: 1100px) {
   main { padding: 20px 15px 60px; }
   h1 { font-size: 1.5rem; }
@@ -81,7 +92,8 @@ thead th { overflow-wrap: normal; color: var(--muted); font-weight: 500; vertica
     border-bottom: 1px solid var(--rule); padding: .6em 0; }
   tbody th { grid-column: 1 / -1; border: 0; padding: 0 0 .15em; font-size: .9rem; white-space: normal; }
   td, .figures td { display: flow-root; text-align: right; white-space: normal; border: 0; padding: .08em 0; }
-  td::before { content: attr(data-head); color: var(--muted); float: left; max-width: 55%; margin-right: .8em; text-align: left; }
+  .list { grid-column: 1 / -1; }
+  td[data-head]::before { content: attr(data-head); color: var(--muted); float: left; max-width: 55%; margin-right: .8em; text-align: left; }
   .words tbody th { white-space: normal; }
   .figures tbody th { min-width: 0; }
   .figures small { display: inline; }
@@ -97,7 +109,7 @@ thead th { overflow-wrap: normal; color: var(--muted); font-weight: 500; vertica
 @media print {
   main { max-width: none; padding: 0; }
   body { font-size: 10.5pt; }
-  nav, output, .pointing { display: none; }
+  nav, output, .pointing, .controls, .opens { display: none; }
   h2, h3, summary { break-after: avoid; }
   figure, .panels > div, tr { break-inside: avoid; }
   table { font-size: 7pt; }

@@ -82,14 +82,15 @@ namespace {
 } // namespace
 
 std::string table(const std::string& style, const std::vector<std::string>& heads,
-                  const std::vector<std::vector<std::string>>& rows) {
+                  const std::vector<std::vector<std::string>>& rows, const std::vector<std::string>& ids) {
     std::string html = "<table class=\"" + style + "\"><thead><tr>";
     for (const auto& h : heads) {
         html += "<th scope=\"col\">" + h;
     }
     html += "</thead><tbody>\n";
-    for (const auto& r : rows) {
-        html += "<tr>";
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+        const auto& r = rows[n];
+        html += n < ids.size() ? "<tr id=\"" + ids[n] + "\">" : "<tr>";
         for (std::size_t i = 0; i < r.size(); ++i) {
             html += i == 0 ? "<th scope=\"row\">" + r[i] : "<td data-head=\"" + heads[i] + "\">" + r[i];
         }
@@ -157,8 +158,11 @@ std::string matrix_table(const results& found) {
 
 std::string rows_table(const results& found, const group_information& group) {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& r : found.rows) {
+    std::vector<std::string> ids; // by which dots and rows link to each other
+    for (std::size_t n = 0; n < found.rows.size(); ++n) {
+        const auto& r = found.rows[n];
         if (r.group == group.name) {
+            ids.push_back("row-" + std::to_string(n));
             rows.push_back(
                 {(r.on_front ? "<b>★ " : "") + escaped(name_of(r.type, r.variant, r.root)) + (r.on_front ? "</b>" : ""),
                  r.nanoseconds ? readable_time(*r.nanoseconds) : "–", wrong_of(r.decisions),
@@ -169,9 +173,9 @@ std::string rows_table(const results& found, const group_information& group) {
         }
     }
     return table("figures",
-                 {"type · variant", "time", "wrong", "τ, ulps", "crossing, ulps", "fewest bits", "rounded right",
-                  "D, ulps", "position, ulps", "velocity, ulps", "momentum", "energy"},
-                 rows);
+                 {"type · variant", "time", "wrong", "τ, units", "crossing, units", "fewest bits", "rounded right",
+                  "D, units", "position, units", "velocity, units", "momentum", "energy"},
+                 rows, ids);
 }
 
 std::string decisions_table(const results& found) {
@@ -203,7 +207,7 @@ std::string intervals_table(const results& found) {
     }
     return rows.empty() ? std::string()
                         : table("figures",
-                                {"type · variant", "group", "decisions left open", "width of τ, ulps",
+                                {"type · variant", "group", "decisions left open", "width of τ, units",
                                  "values outside their interval"},
                                 rows);
 }

@@ -10,7 +10,8 @@ namespace compare::report {
 
 // Heads and cells are HTML: escape what comes from outside. The first column names its row.
 [[nodiscard]] std::string table(const std::string& style, const std::vector<std::string>& heads,
-                                const std::vector<std::vector<std::string>>& rows);
+                                const std::vector<std::vector<std::string>>& rows,
+                                const std::vector<std::string>& ids = {}); // of the rows
 
 [[nodiscard]] std::string groups_table(const results& found);
 [[nodiscard]] std::string types_table(const results& found);

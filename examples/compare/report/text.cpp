@@ -1,5 +1,7 @@
 #include "text.hpp"
 
+#include "../input_error.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -40,7 +42,13 @@ namespace {
 std::string escaped(std::string_view text) {
     std::string safe;
     safe.reserve(text.size());
-    for (const char c : text) {
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (const std::size_t formatting = formatting_at(text, at); formatting > 0) {
+            safe += '?';
+            at += formatting - 1;
+            continue;
+        }
+        const char c = text[at];
         switch (c) {
         case '&':
             safe += "&amp;";

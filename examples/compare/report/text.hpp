@@ -7,8 +7,8 @@
 
 namespace compare::report {
 
-// The text with the characters of HTML and XML markup, quotes included, as entities. Control characters become question
-// marks. Safe in element text and in quoted attributes.
+// The text with the characters of HTML and XML markup, quotes included, as entities. Control characters, and those that
+// change how others look, become question marks. Safe in element text and in quoted attributes.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 // "0", "0.32", "14.5", "1234", "3.1·10⁻¹⁷", "∞"; not a number is "not a number". Three significant digits.

@@ -20,14 +20,13 @@ for (const kind of ['click', 'mouseover']) addEventListener(kind, event => {
   if (output) output.textContent = point.firstChild.textContent;
 });
 </script>
-</body>
-</html>
 )";
+inline constexpr const char* end = "</body>\n</html>\n";
 
 inline constexpr const char* navigation =
     R"(<nav><a href="#speed">Speed and error</a> <a href="#exactness">Exactness</a>
 <a href="#digits">Digits</a> <a href="#decisions">Decisions</a> <a href="#distribution">Distribution</a> <a href="#hardness">Hardness</a>
-<a href="#tables">Tables</a></nav>
+<a href="#dots">Pairs</a> <a href="#tables">Tables</a></nav>
 )";
 
 inline constexpr const char* speed = R"(<h2>Speed against error</h2>

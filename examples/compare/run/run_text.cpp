@@ -132,7 +132,7 @@ std::string types_text(const run_report& r) {
         table.line({h.type, std::to_string(h.digits.size()), any ? digits_text(h.digits.front()) : "-",
                     any ? digits_text(h.digits.back()) : "-", h.end_digits ? digits_text(*h.end_digits) : "-",
                     optional(h.energy_drift), optional(h.momentum_drift),
-                    h.events_per_second > 0 ? short_nanoseconds(h.events_per_second) : "-",
+                    h.events_per_second > 0 ? short_count(h.events_per_second) : "-",
                     j.mistake.what == mistake::none ? (h.compared == comparison::part ? "interrupted" : h.problem)
                                                     : j.mistake.text + ", at t = " + time_text(j.mistake.time)});
     }

@@ -1,0 +1,13 @@
+// Whether two series of repeated times differ by more than chance.
+#pragma once
+
+#include <vector>
+
+namespace compare {
+
+// The probability, under the hypothesis that both series come from one distribution, of ranks at least as uneven as
+// theirs: the Mann–Whitney U test, two-sided, with ties, by the normal approximation with a correction for continuity
+// (Mann and Whitney 1947). 1 where a series has fewer than three values, since nothing can be said then.
+[[nodiscard]] double probability_of_no_difference(const std::vector<double>& x, const std::vector<double>& y);
+
+} // namespace compare
