@@ -71,9 +71,9 @@ template <int N, class V>
     const auto certain = (height * height > bound * lane.length2) & (speed * speed > bound * lane.velocity2) &
                          (parting | lane.is_clear(clearance)) & lane.in_range() &
                          (lane.velocity2 > V(range::smallest)) & (lane.velocity2 * lane.normal2 < V(range::largest));
-    const auto is_cut = clearance < zero;
-    const auto is_apart = clearance > zero;
-    return {encounter_codes(parting, is_cut, is_apart), (all_lanes<V> ^ bits_of(certain)) | sign_bits(b.radius)};
+    const auto inside = clearance < zero;
+    const auto missing = parting & ~parting; // none: what comes closer to a plane meets it
+    return {encounter_codes(parting, inside, missing), (all_lanes<V> ^ bits_of(certain)) | sign_bits(b.radius)};
 }
 
 template <int N, class V>
