@@ -54,13 +54,18 @@ std::string in_words(const pair<N>& p) {
         vector("normal", plane->normal);
         out << '\n';
     } else {
-        const auto& w = std::get<graze::wall<N, double>>(p.other);
-        out << "    wall:";
-        vector("corner", w.corner);
-        for (const auto& e : w.edge) {
-            vector("edge", e);
-        }
-        out << '\n';
+        std::visit(
+            [&](const auto& w) {
+                if constexpr (requires { w.corner; }) {
+                    out << (std::holds_alternative<graze::wall<N, double>>(p.other) ? "    wall:" : "    triangle:");
+                    vector("corner", w.corner);
+                    for (const auto& e : w.edge) {
+                        vector("edge", e);
+                    }
+                    out << '\n';
+                }
+            },
+            p.other);
     }
     return out.str();
 }

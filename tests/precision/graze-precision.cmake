@@ -82,9 +82,8 @@ function(graze_hard_case_search_libraries)
     endforeach()
 endfunction()
 
-# The sources of a program: one for each type, so that types are compiled side by side, and the main program, which
-# includes the header and returns the call.
-function(graze_precision_sources folder header call sources_out)
+# Of arg_HEADERS, as lines of C++.
+function(graze_precision_includes out)
     set(includes "")
     foreach(file IN LISTS arg_HEADERS)
         if(file MATCHES "^<.*>$")
@@ -94,6 +93,13 @@ function(graze_precision_sources folder header call sources_out)
             string(APPEND includes "#include \"${file}\"\n")
         endif()
     endforeach()
+    set(${out} "${includes}" PARENT_SCOPE)
+endfunction()
+
+# The sources of a program: one for each type, so that types are compiled side by side, and the main program, which
+# includes the header and returns the call.
+function(graze_precision_sources folder header call sources_out)
+    graze_precision_includes(includes)
     set(declarations "")
     set(calls "")
     set(sources "${folder}/main.cpp")

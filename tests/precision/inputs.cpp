@@ -13,7 +13,7 @@ namespace precision {
 
 namespace {
 
-const char* const kinds[] = {"ball-ball", "ball-plane", "ball-wall"};
+const char* const kinds[] = {"ball-ball", "ball-plane", "ball-wall", "ball-triangle"};
 
 template <int N, class P, class F>
 void for_each_number(P& p, F f) {
@@ -77,6 +77,12 @@ any_pair pair_from(std::size_t kind, const std::vector<double>& numbers) {
         p.other = graze::plane<N, double>{};
     } else if (kind == 2) {
         p.other = graze::wall<N, double>{};
+    } else if (kind == 3) {
+        if constexpr (N == 3) {
+            p.other = graze::triangle<double>{};
+        } else {
+            throw std::runtime_error("a ball-triangle has 3 dimensions");
+        }
     }
     const std::size_t wanted = numbers_of(p).size();
     if (numbers.size() != wanted) {
@@ -123,12 +129,19 @@ std::string scene_of(const pair<N>& p, const std::string& name, const pair<N>* o
     } else if (const auto* plane = std::get_if<graze::plane<N, double>>(&p.other)) {
         rest = ",\n  \"planes\": [{\"point\": " + json(plane->point) + ", \"normal\": " + json(plane->normal) + "}]";
     } else {
-        const auto& w = std::get<graze::wall<N, double>>(p.other);
-        std::string edges;
-        for (const auto& e : w.edge) {
-            edges += (edges.empty() ? "" : ", ") + json(e);
-        }
-        rest = ",\n  \"walls\": [{\"corner\": " + json(w.corner) + ", \"edges\": [" + edges + "]}]";
+        std::visit(
+            [&](const auto& w) {
+                if constexpr (requires { w.corner; }) {
+                    std::string edges;
+                    for (const auto& e : w.edge) {
+                        edges += (edges.empty() ? "" : ", ") + json(e);
+                    }
+                    const bool is_wall = std::holds_alternative<graze::wall<N, double>>(p.other);
+                    rest = std::string(",\n  \"") + (is_wall ? "walls" : "triangles") +
+                           "\": [{\"corner\": " + json(w.corner) + ", \"edges\": [" + edges + "]}]";
+                }
+            },
+            p.other);
     }
     return "{\n  \"dimension\": " + std::to_string(N) + ",\n  \"name\": \"" + name + "\",\n  \"balls\": [\n    " +
            balls + "\n  ]" + rest + "\n}\n";
@@ -172,7 +185,7 @@ any_pair from_line(const std::string& line) {
     words >> kind >> dimension;
     const auto which = std::find(std::begin(kinds), std::end(kinds), kind);
     if (which == std::end(kinds)) {
-        throw std::runtime_error("\"" + kind + "\" is not ball-ball, ball-plane or ball-wall");
+        throw std::runtime_error("\"" + kind + "\" is not ball-ball, ball-plane, ball-wall or ball-triangle");
     }
     if (dimension != "2" && dimension != "3") {
         throw std::runtime_error("the dimension is \"" + dimension + "\", not 2 or 3");
@@ -201,6 +214,20 @@ std::vector<family> drawn_families(std::size_t count, std::uint64_t seed) {
             one.pairs.push_back(i / 2 % 2 == 0 ? from_family(f.draw<2>(seed, i)) : from_family(f.draw<3>(seed, i)));
         }
         drawn.push_back(std::move(one));
+    }
+    return drawn;
+}
+
+family drawn_triangles(std::size_t count, std::uint64_t seed) {
+    constexpr std::array<const char*, 3> about_walls = {"edges_and_corners", "borders", "generic_wall"};
+    family drawn{"triangles", {}};
+    for (std::size_t i = 0; drawn.pairs.size() < count; ++i) {
+        const auto* const from =
+            std::ranges::find(families::all_families, about_walls[i % about_walls.size()], &families::family::name);
+        const auto one = from->draw<3>(seed, i);
+        if (one.kind == families::pair_kind::ball_wall) {
+            drawn.pairs.push_back(pair<3>{one.a, graze::triangle<double>{one.wall.corner, one.wall.edge}});
+        }
     }
     return drawn;
 }

@@ -17,7 +17,7 @@ using graze::precision::pair;
 using any_pair = std::variant<pair<2>, pair<3>>;
 
 // The pair's numbers in the order of the files: the ball's position, velocity, radius and mass; then those of the other
-// ball, or the plane's point and normal, or the wall's corner and edges.
+// ball, or the plane's point and normal, or the wall's or triangle's corner and edges.
 template <int N>
 [[nodiscard]] std::vector<double> numbers_of(const pair<N>& p);
 template <int N>
@@ -41,6 +41,9 @@ struct family {
 // `count` pairs of each family, in the plane and in space by turns two by two, since some families come in twos; the
 // same on every machine.
 [[nodiscard]] std::vector<family> drawn_families(std::size_t count, std::uint64_t seed);
+
+// The family `triangles`: the halves, at their corners, of the walls in space of the families about walls.
+[[nodiscard]] family drawn_triangles(std::size_t count, std::uint64_t seed);
 
 // A file of kept inputs: lines as above; `#` begins a remark, and `# origin: ` one that every pair must come after, the
 // command that found it. Named by the file. std::runtime_error with file and line.

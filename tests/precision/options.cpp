@@ -10,6 +10,7 @@ const char* const usage =
     "  --only TEXT         Measure only figures whose quantity/variant/type/family contains TEXT; may be repeated\n"
     "  --pairs N           Draw N pairs of each family (400)\n"
     "  --seed N            The seed of the families (1)\n"
+    "  --triangles         Draw triangles, in space, instead of the families\n"
     "  --inputs FILE       Measure the pairs of this file instead of the families; may be repeated\n"
     "  --kept PATH         Measure the pairs of this file, or of a folder's *.txt, beside the families; may be "
     "repeated\n"
@@ -85,6 +86,8 @@ options parse(const std::vector<std::string>& words) {
             }
         } else if (word == "--results") {
             o.results = next();
+        } else if (word == "--triangles") {
+            o.triangles = true;
         } else if (word == "--show") {
             o.show = true;
         } else if (word == "--quiet") {

@@ -19,6 +19,7 @@ struct options {
     std::size_t pairs = 400;
     std::uint64_t seed = 1;
     unsigned threads = 1;
+    bool triangles = false; // of the families, these alone
     bool show = false, quiet = false, expect_loss = false, no_update = false, help = false;
     std::vector<std::filesystem::path> flag_results; // of --which-flag
 };

@@ -41,7 +41,7 @@ update update_asked() {
 std::vector<family> families_asked(const options& o) {
     std::vector<family> all;
     if (o.inputs.empty()) {
-        all = drawn_families(o.pairs, o.seed);
+        all = o.triangles ? std::vector{drawn_triangles(o.pairs, o.seed)} : drawn_families(o.pairs, o.seed);
     }
     std::vector<std::filesystem::path> files = o.inputs;
     for (const auto& path : o.kept) {
@@ -79,7 +79,8 @@ std::string command_of(const options& o, bool short_paths = false) {
         command += (command.empty() ? "--inputs " : " --inputs ") + told(path);
     }
     if (o.inputs.empty()) {
-        command = "--pairs " + std::to_string(o.pairs) + " --seed " + std::to_string(o.seed);
+        command = std::string(o.triangles ? "--triangles " : "") + "--pairs " + std::to_string(o.pairs) + " --seed " +
+                  std::to_string(o.seed);
     }
     for (const auto& path : o.kept) {
         command += " --kept " + told(path);

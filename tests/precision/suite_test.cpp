@@ -148,6 +148,11 @@ TEST_CASE("a line is the pair that it tells of") {
                                graze::wall<3>{{1, 2, 3}, {{{1, 0, 0}, {0, 1, 0}}}}};
     const any_pair again = precision::from_line(precision::to_line(p));
     CHECK(precision::numbers_of(std::get<1>(again)) == precision::numbers_of(std::get<1>(p)));
+    const any_pair t =
+        pair<3>{{{1, 1, 5}, {0, 0, -1}, 1}, graze::triangle<double>{{1, 2, 3}, {{{1, 0, 0}, {0, 1, 0}}}}};
+    const any_pair t_again = precision::from_line(precision::to_line(t));
+    CHECK(std::holds_alternative<graze::triangle<double>>(std::get<1>(t_again).other));
+    CHECK(precision::numbers_of(std::get<1>(t_again)) == precision::numbers_of(std::get<1>(t)));
 }
 
 TEST_CASE("the flag is blamed that all losing sets have and no other") {

@@ -58,12 +58,10 @@ oracle::answer meet(const P& p) {
     return std::visit([&](const auto& other) { return oracle::meet(p.a, other); }, p.other);
 }
 
-mpq_class inverse_of_other(const auto& other) {
-    if constexpr (requires { other.mass; }) {
-        return inverse(other.mass);
-    } else {
-        return 0;
-    }
+template <int N, class T, class Other>
+mpq_class inverse_of_other(const Other& other) {
+    const auto* const b = std::get_if<graze::ball<N, T>>(&other);
+    return b == nullptr ? mpq_class(0) : inverse(b->mass);
 }
 
 template <int N>
@@ -102,15 +100,15 @@ bool are_parallel(const graze::vec<3, T>& x, const graze::vec<3, T>& y) {
     return true;
 }
 
-// Whether there are edges of a wall: none is zero, and they are not parallel.
-template <int N, class T>
-bool has_edges(const graze::wall<N, T>& w) {
+// Whether there are edges of a wall or a triangle: none is zero, and they are not parallel.
+template <class Flat>
+bool has_edges(const Flat& w) {
     for (const auto& e : w.edge) {
         if (is_zero(e)) {
             return false;
         }
     }
-    if constexpr (N == 3) {
+    if constexpr (std::tuple_size_v<decltype(w.edge)> == 2) {
         return !are_parallel(w.edge[0], w.edge[1]);
     }
     return true;
@@ -129,18 +127,24 @@ bool is_valid(const pair<N>& p) {
     if (const auto* plane = std::get_if<graze::plane<N, double>>(&p.other)) {
         return is_finite(plane->point) && is_finite(plane->normal) && !is_zero(plane->normal);
     }
-    const auto& w = std::get<graze::wall<N, double>>(p.other);
-    bool valid = is_finite(w.corner);
-    for (const auto& e : w.edge) {
-        valid = valid && is_finite(e);
-    }
-    return valid && has_edges(w);
+    return std::visit(
+        [](const auto& w) {
+            bool valid = true;
+            if constexpr (requires { w.corner; }) {
+                valid = is_finite(w.corner);
+                for (const auto& e : w.edge) {
+                    valid = valid && is_finite(e);
+                }
+                valid = valid && has_edges(w);
+            }
+            return valid;
+        },
+        p.other);
 }
 
 template <int N>
 truth<N>::truth(const pair<N>& p)
-    : pair_(p), inverse_a_(inverse(p.a.mass)),
-      inverse_b_(std::visit([](const auto& other) { return inverse_of_other(other); }, p.other)), met_(meet(p)) {}
+    : pair_(p), inverse_a_(inverse(p.a.mass)), inverse_b_(inverse_of_other<N, double>(p.other)), met_(meet(p)) {}
 
 template <int N>
 truth<N>::truth(rational_pair<N> p, mpq_class inverse_a, mpq_class inverse_b)
@@ -171,16 +175,21 @@ std::optional<truth<N>> truth<N>::of_rounded(const pair<N>& p, const value_of& v
         valid = valid && !is_zero(q.normal);
         r.other = q;
     } else {
-        const auto& w = std::get<graze::wall<N, double>>(p.other);
-        graze::wall<N, mpq_class> q{vector(w.corner), {}};
-        std::transform(w.edge.begin(), w.edge.end(), q.edge.begin(), vector);
-        valid = valid && has_edges(q);
-        r.other = q;
+        const auto fill = [&](auto& to, const auto& from) {
+            to.corner = vector(from.corner);
+            std::transform(from.edge.begin(), from.edge.end(), to.edge.begin(), vector);
+            valid = valid && has_edges(to);
+        };
+        if (const auto* w = std::get_if<graze::wall<N, double>>(&p.other)) {
+            fill(r.other.template emplace<2>(), *w);
+        } else if constexpr (N == 3) {
+            fill(r.other.template emplace<3>(), std::get<3>(p.other));
+        }
     }
     if (!valid) {
         return std::nullopt;
     }
-    mpq_class inverse_b = std::visit([](const auto& other) { return inverse_of_other(other); }, r.other);
+    mpq_class inverse_b = inverse_of_other<N, mpq_class>(r.other);
     mpq_class inverse_a = inverse(r.a.mass);
     return truth(std::move(r), std::move(inverse_a), std::move(inverse_b));
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -36,7 +37,11 @@ using exact_vector = std::vector<exact_number>;
 template <int N>
 struct rational_pair {
     graze::ball<N, mpq_class> a;
-    std::variant<graze::ball<N, mpq_class>, graze::plane<N, mpq_class>, graze::wall<N, mpq_class>> other;
+    std::conditional_t<N == 2,
+                       std::variant<graze::ball<N, mpq_class>, graze::plane<N, mpq_class>, graze::wall<N, mpq_class>>,
+                       std::variant<graze::ball<N, mpq_class>, graze::plane<N, mpq_class>, graze::wall<N, mpq_class>,
+                                    graze::triangle<mpq_class>>>
+        other;
 };
 
 template <int N>

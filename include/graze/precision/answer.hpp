@@ -1,7 +1,7 @@
 // A formula's answer for a pair, as the precision regression judges it.
 #pragma once
 
-#include <graze/formula/wall_encounter.hpp>
+#include <graze/formula/solution.hpp>
 #include <graze/linear/vec.hpp>
 #include <graze/precision/number_access.hpp>
 
@@ -89,5 +89,34 @@ template <class X>
     a.index = met.index;
     return a;
 }
+
+// A whole solution, without its discriminant.
+template <int N, class T>
+[[nodiscard]] answer answered(const ball_solution<N, T>& s) {
+    if (!is_collision(s.what)) {
+        return answered(s.what);
+    }
+    return answered(s.what)
+        .and_(quantity::time, s.time)
+        .and_(quantity::position, s.position_a)
+        .and_(quantity::position, s.position_b)
+        .and_(quantity::normal, s.normal)
+        .and_(quantity::velocity, s.velocity_a)
+        .and_(quantity::velocity, s.velocity_b);
+}
+template <int N, class T>
+[[nodiscard]] answer answered(const wall_solution<N, T>& s) {
+    const wall_encounter met{s.what, s.where, s.index};
+    if (!is_collision(s.what)) {
+        return answered(met);
+    }
+    return answered(met)
+        .and_(quantity::time, s.time)
+        .and_(quantity::position, s.position)
+        .and_(quantity::position, s.point)
+        .and_(quantity::normal, s.normal)
+        .and_(quantity::velocity, s.velocity);
+}
+[[nodiscard]] inline answer answered(answer a) { return a; }
 
 } // namespace graze::inline v0_1::precision

@@ -31,6 +31,10 @@ struct exact_decision_of_walls {
     [[nodiscard]] answer operator()(const ball<N, T>& b, const wall<N, T>& w) const {
         return answered(classify(b, w));
     }
+    template <class T>
+    [[nodiscard]] answer operator()(const ball<3, T>& b, const triangle<T>& t) const {
+        return answered(classify(b, t));
+    }
 };
 
 struct rounded_contact {
@@ -57,6 +61,10 @@ struct rounded_contact {
     template <int N, class T>
     [[nodiscard]] answer operator()(const ball<N, T>& b, const wall<N, T>& w) const {
         return of_wall(collide(b, w));
+    }
+    template <class T>
+    [[nodiscard]] answer operator()(const ball<3, T>& b, const triangle<T>& t) const {
+        return of_wall(collide(b, t));
     }
 
   private:

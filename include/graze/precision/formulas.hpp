@@ -85,26 +85,21 @@ struct solution_in {
     template <int N, number T>
     requires has_variant<V, T>
     [[nodiscard]] answer operator()(const ball<N, T>& a, const ball<N, T>& b) const {
-        const auto s = solve_with_inverse_masses<V, F, T, N>(a, b, inverse(a.mass), inverse(b.mass));
-        if (!is_collision(s.what)) {
-            return answered(s.what);
-        }
-        return answered(s.what)
-            .and_(quantity::time, s.time)
-            .and_(quantity::position, s.position_a)
-            .and_(quantity::position, s.position_b)
-            .and_(quantity::normal, s.normal)
-            .and_(quantity::velocity, s.velocity_a)
-            .and_(quantity::velocity, s.velocity_b);
+        return answered(solve_with_inverse_masses<V, F, T, N>(a, b, inverse(a.mass), inverse(b.mass)));
     }
     template <int N, number T>
     [[nodiscard]] answer operator()(const ball<N, T>& b, const plane<N, T>& p) const {
-        return of_wall<N, T>(solve<V, F>(b, p));
+        return answered(solve<V, F>(b, p));
     }
     template <int N, number T>
     requires has_variant<V, T>
     [[nodiscard]] answer operator()(const ball<N, T>& b, const wall<N, T>& w) const {
-        return of_wall<N, T>(solve<V, F>(b, w));
+        return answered(solve<V, F>(b, w));
+    }
+    template <number T>
+    requires has_variant<V, T>
+    [[nodiscard]] answer operator()(const ball<3, T>& b, const triangle<T>& t) const {
+        return answered(solve<V, F>(b, t));
     }
 
   private:
@@ -112,19 +107,6 @@ struct solution_in {
     template <class T>
     [[nodiscard]] static T inverse(const T& mass) {
         return detail::exponent_field(number_access<T>::read(mass).parts.front()) == 0x7ff ? T(0) : T(T(1) / mass);
-    }
-    template <int N, class T>
-    [[nodiscard]] static answer of_wall(const wall_solution<N, T>& s) {
-        const wall_encounter met{s.what, s.where, s.index};
-        if (!is_collision(s.what)) {
-            return answered(met);
-        }
-        return answered(met)
-            .and_(quantity::time, s.time)
-            .and_(quantity::position, s.position)
-            .and_(quantity::position, s.point)
-            .and_(quantity::normal, s.normal)
-            .and_(quantity::velocity, s.velocity);
     }
 };
 

@@ -1,22 +1,27 @@
 // A formula in a number type, with the type erased: the subject of a measurement in the precision regression.
 #pragma once
 
+#include <graze/formula/quadratic.hpp>
 #include <graze/precision/answer.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <concepts>
 #include <memory>
+#include <type_traits>
 #include <variant>
 
 namespace graze::inline v0_1::precision {
 
-// A ball and the other thing of a pair.
+// A ball and the other thing of a pair, which in space may be a triangle.
 template <int N>
 struct pair {
     ball<N, double> a;
-    std::variant<ball<N, double>, plane<N, double>, wall<N, double>> other;
+    std::conditional_t<N == 2, std::variant<ball<N, double>, plane<N, double>, wall<N, double>>,
+                       std::variant<ball<N, double>, plane<N, double>, wall<N, double>, triangle<double>>>
+        other;
 };
 
 // The answer is empty if the formula is not about such a pair. The call may throw, which counts as a wrong answer.
@@ -65,6 +70,11 @@ template <class T, int N>
     return result;
 }
 
+template <class T>
+[[nodiscard]] triangle<T> in_type(const triangle<double>& t) {
+    return {in_type<T>(t.corner), {in_type<T>(t.edge[0]), in_type<T>(t.edge[1])}};
+}
+
 template <class F, class T>
 class typed_subject final : public subject {
   public:
@@ -82,8 +92,12 @@ class typed_subject final : public subject {
     [[nodiscard]] static std::optional<answer> single(const pair<N>& p) {
         return std::visit(
             [&](const auto& other) -> std::optional<answer> {
+                using given = std::remove_cvref_t<decltype(in_type<T>(other))>;
                 if constexpr (requires(ball<N, T> b) { F{}(b, in_type<T>(other)); }) {
-                    return F{}(in_type<T>(p.a), in_type<T>(other));
+                    return answered(F{}(in_type<T>(p.a), in_type<T>(other)));
+                } else if constexpr (std::is_same_v<given, ball<N, T>> &&
+                                     requires(ball<N, T> b) { T(F{}(relative_motion_of(b, b))); }) {
+                    return answered(F::measures, T(F{}(relative_motion_of(in_type<T>(p.a), in_type<T>(other)))));
                 } else {
                     return std::nullopt;
                 }
@@ -106,7 +120,9 @@ class typed_subject final : public subject {
 } // namespace detail
 
 // A formula that the regression can measure in T: a stateless function object to call with two balls, a ball and a
-// plane, a ball and a wall (or, for an order, four balls), in the plane, in space or both. It has
+// plane, a wall or a triangle (or, for an order, four balls), in the plane, in space or both. It returns an answer, or
+// the ball_solution or wall_solution of graze::solve. A discriminant may be called with the relative_motion of two
+// balls instead, and return a T. It has
 //   static constexpr const char* name;      its name in tables, a word
 //   static constexpr quantity measures;     the quantity that counts as wrong if it throws
 //   static constexpr bool correctly_rounded = true;   if it promises that nothing is ever wrong

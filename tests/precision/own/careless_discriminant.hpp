@@ -9,10 +9,8 @@ struct careless_discriminant {
     static constexpr auto measures = graze::precision::quantity::discriminant;
 
     template <int N, graze::number T>
-    graze::precision::answer operator()(const graze::ball<N, T>& a, const graze::ball<N, T>& b) const {
-        const auto m = graze::relative_motion_of(a, b);
+    T operator()(const graze::relative_motion<N, T, T, T>& m) const {
         const T q = graze::squared_norm(m.du), h = graze::dot(m.dx, m.du);
-        const T discriminant = h * h - q * graze::squared_norm(m.dx) + q * m.R * m.R;
-        return graze::precision::answered(measures, discriminant);
+        return h * h - q * graze::squared_norm(m.dx) + q * m.R * m.R;
     }
 };

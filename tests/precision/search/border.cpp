@@ -61,6 +61,21 @@ oracle::answer meet(const precision::pair<N>& p) {
     return std::visit([&](const auto& other) { return oracle::meet(p.a, other); }, p.other);
 }
 
+// Of a wall or a triangle; empty for a ball or a plane.
+template <int N>
+std::vector<graze::vec<N, double>> corner_and_edges(const precision::pair<N>& p) {
+    std::vector<graze::vec<N, double>> all;
+    std::visit(
+        [&](const auto& w) {
+            if constexpr (requires { w.corner; }) {
+                all.push_back(w.corner);
+                all.insert(all.end(), w.edge.begin(), w.edge.end());
+            }
+        },
+        p.other);
+    return all;
+}
+
 } // namespace
 
 template <int N>
@@ -89,7 +104,7 @@ struct borders<N>::affine {
 };
 
 template <int N>
-borders<N>::borders(const precision::pair<N>& p) : met_(meet(p)) {
+borders<N>::borders(const precision::pair<N>& p) : is_triangle_(p.other.index() == 3), met_(meet(p)) {
     // In the units of the pieces: the same numbers are lifted.
     oracle::groups<double> g;
     oracle::collect<N>(g.lengths, p.a.position);
@@ -97,16 +112,14 @@ borders<N>::borders(const precision::pair<N>& p) : met_(meet(p)) {
     oracle::collect<N>(g.velocities, p.a.velocity);
     const auto* ball = std::get_if<graze::ball<N, double>>(&p.other);
     const auto* plane = std::get_if<graze::plane<N, double>>(&p.other);
-    const auto* wall = std::get_if<graze::wall<N, double>>(&p.other);
-    oracle::collect<N>(g.lengths, ball != nullptr ? ball->position : plane != nullptr ? plane->point : wall->corner);
+    const std::vector<graze::vec<N, double>> flat = corner_and_edges(p);
+    oracle::collect<N>(g.lengths, ball != nullptr ? ball->position : plane != nullptr ? plane->point : flat.front());
     if (ball != nullptr) {
         g.lengths.collect(ball->radius);
         oracle::collect<N>(g.velocities, ball->velocity);
     }
-    if (wall != nullptr) {
-        for (const auto& e : wall->edge) {
-            oracle::collect<N>(g.lengths, e);
-        }
+    for (std::size_t i = 1; i < flat.size(); ++i) {
+        oracle::collect<N>(g.lengths, flat[i]);
     }
     w_ = oracle::next<N>(g.lengths);
     mpz_class r = g.lengths.next();
@@ -117,7 +130,7 @@ borders<N>::borders(const precision::pair<N>& p) : met_(meet(p)) {
         u_ = u_ - oracle::next<N>(g.velocities);
     }
     mpz_class square = oracle::dot<N>(w_, w_) + r * r;
-    for (std::size_t i = 0; wall != nullptr && i < wall->edge.size(); ++i) {
+    for (std::size_t i = 1; i < flat.size(); ++i) {
         edges_.push_back(oracle::next<N>(g.lengths));
         square += oracle::dot<N>(edges_.back(), edges_.back());
     }
@@ -135,7 +148,7 @@ borders<N>::borders(const precision::pair<N>& p) : met_(meet(p)) {
     overlapping_ = by(square_of(quotient(closest->c, closest->k)), square_of(length_square_));
     hitting_ = 1;
     if (plane == nullptr) {
-        const mpq_class f = least_ahead() - (wall != nullptr && crossing(met_.pieces.front()) ? mpq_class(r * r) : 0);
+        const mpq_class f = least_ahead() - (!flat.empty() && crossing(met_.pieces.front()) ? mpq_class(r * r) : 0);
         hitting_ = by(square_of(f), square_of(length_square_));
         ahead_ = f > 0 ? encounter::miss : f == 0 ? encounter::graze : encounter::hit;
         if (met_.what != encounter::recede && met_.what != encounter::overlap) {
@@ -194,7 +207,9 @@ typename borders<N>::affine borders<N>::foot_on(const piece& of) const {
         if (of.where == feature::edge) {
             const auto i = static_cast<std::size_t>(of.index / 2);
             const oracle::point<N> from = of.index % 2 == 1 ? edges_[i] : origin;
-            affine f{along(w_ - from, edges_[1 - i]), along(u_, edges_[1 - i])};
+            const bool is_slanted = is_triangle_ && of.index == 1;
+            const oracle::point<N> edge = is_slanted ? edges_[1] - edges_[0] : edges_[1 - i];
+            affine f{along(w_ - from, edge), along(u_, edge)};
             for (std::size_t k = 0; k < N; ++k) {
                 f.at[k] += from[k];
             }

@@ -46,6 +46,7 @@ class borders {
 
     oracle::point<N> w_, u_;
     std::vector<oracle::point<N>> edges_;
+    bool is_triangle_;
     oracle::answer met_;
     oracle::encounter ahead_ = oracle::encounter::hit; // what the least f says
     mpq_class length_square_;

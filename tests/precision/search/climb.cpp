@@ -27,13 +27,38 @@ row numbers_of(const any_pair& p) {
     return std::visit([](const auto& q) { return precision::numbers_of(q); }, p);
 }
 
-std::optional<double> score_of(const goal& g, any_pair& p, const row& numbers, allowance& left) {
+// Of both pairs, one after the other.
+row numbers_of(const found& f) {
+    row all = numbers_of(f.pair);
+    if (f.other) {
+        const row more = numbers_of(*f.other);
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+}
+void set_numbers(found& f, const row& numbers) {
+    std::visit([&](auto& q) { precision::set_numbers(q, numbers); }, f.pair);
+    if (f.other) {
+        const row rest(numbers.begin() + static_cast<std::ptrdiff_t>(numbers_of(f.pair).size()), numbers.end());
+        std::visit([&](auto& q) { precision::set_numbers(q, rest); }, *f.other);
+    }
+}
+std::vector<magnitudes::range> ranges_of(const goal& g, const found& f) {
+    std::vector<magnitudes::range> all = g.within.of(f.pair);
+    if (f.other) {
+        const auto more = g.within.of(*f.other);
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+}
+
+std::optional<double> score_of(const goal& g, found& at, const row& numbers, allowance& left) {
     if (left.spent()) {
         return std::nullopt;
     }
     --left.evaluations;
-    std::visit([&](auto& q) { precision::set_numbers(q, numbers); }, p);
-    return g.score(p);
+    set_numbers(at, numbers);
+    return at.score_by(g);
 }
 
 // About x, 2^bits to both sides, within the same sign and the magnitudes: signs are changed by the climb. The masses
@@ -66,8 +91,7 @@ struct sample {
 };
 
 // The best of a few draws.
-std::optional<sample> best_of(const goal& g, any_pair& p, const std::vector<range>& box, random& source,
-                              allowance& left) {
+std::optional<sample> best_of(const goal& g, found& p, const std::vector<range>& box, random& source, allowance& left) {
     constexpr int draws = 6;
     std::optional<sample> best;
     for (int i = 0; i < draws; ++i) {
@@ -108,9 +132,15 @@ std::optional<found> descend(const goal& g, const std::vector<precision::family>
                              std::uint64_t index, allowance& left) {
     random source(seed ^ 0x7365617263680000U, index);
     const auto& family = families[source.below(families.size())].pairs;
-    any_pair p = family[source.below(family.size())];
+    std::size_t drawn = source.below(family.size());
+    found p;
+    if (g.is_about_orders()) { // of pairs 2i and 2i + 1
+        drawn -= drawn % 2;
+        p.other = family[std::min(drawn + 1, family.size() - 1)];
+    }
+    p.pair = family[drawn];
     row start = numbers_of(p);
-    const std::vector<magnitudes::range> within = g.within.of(p);
+    const std::vector<magnitudes::range> within = ranges_of(g, p);
     const int bits = static_cast<int>(source.below(60));
     std::vector<range> box;
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -146,13 +176,15 @@ std::optional<found> descend(const goal& g, const std::vector<precision::family>
     if (!best) {
         return std::nullopt;
     }
-    std::visit([&](auto& q) { precision::set_numbers(q, best->numbers); }, p);
-    return found{p, best->score, true};
+    set_numbers(p, best->numbers);
+    p.score = best->score;
+    p.climbing = true;
+    return p;
 }
 
 void climb(const goal& g, found& at, allowance& left) {
-    row numbers = numbers_of(at.pair);
-    any_pair p = at.pair;
+    row numbers = numbers_of(at);
+    found p = at;
     std::size_t unchanged = 0;
     for (std::size_t i = 0; unchanged < numbers.size() && !left.spent(); i = (i + 1) % numbers.size()) {
         ++unchanged;
@@ -168,7 +200,7 @@ void climb(const goal& g, found& at, allowance& left) {
             }
         }
     }
-    std::visit([&](auto& q) { precision::set_numbers(q, numbers); }, at.pair);
+    set_numbers(at, numbers);
     at.climbing = unchanged < numbers.size();
 }
 
@@ -176,11 +208,16 @@ found shrink(const goal& g, const found& f, double share) {
     const bool is_share = g.what == aim::error || g.what == aim::fallback;
     const double least = is_share ? share * f.score : f.score - 1;
     found small = f;
-    small.pair = precision::shrunk(f.pair, [&](const any_pair& q) {
-        const auto score = g.score(q);
+    const auto still_shows = [&](const any_pair& p, const any_pair* other) {
+        const auto score = g.score(p, other);
         return score && *score >= least && g.is_found(*score) == g.is_found(f.score);
-    });
-    small.score = g.score(small.pair).value();
+    };
+    const any_pair* const other = small.other ? &*small.other : nullptr;
+    small.pair = precision::shrunk(f.pair, [&](const any_pair& q) { return still_shows(q, other); });
+    if (f.other) {
+        small.other = precision::shrunk(*f.other, [&](const any_pair& q) { return still_shows(small.pair, &q); });
+    }
+    small.score = small.score_by(g).value();
     return small;
 }
 

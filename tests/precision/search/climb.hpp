@@ -13,6 +13,15 @@ struct found {
     any_pair pair;
     double score = 0;
     bool climbing = false; // still: it stopped on its budget, or was stopped, and not because nothing was worse
+    std::optional<any_pair> other = {}; // of an order, the second pair
+
+    [[nodiscard]] std::optional<double> score_by(const goal& g) const {
+        return g.score(pair, other ? &*other : nullptr);
+    }
+    // Lines of a file, one or two.
+    [[nodiscard]] std::string lines() const {
+        return precision::to_line(pair) + (other ? "\n" + precision::to_line(*other) : "");
+    }
 };
 
 struct allowance {

@@ -82,7 +82,10 @@ std::vector<figure> figures_of(const graze::precision::subjects& formulas) {
     const auto families = precision::drawn_families(few, 1);
     std::vector<figure> all;
     for (const auto& s : formulas) {
-        const told t = asked_of(*s, families);
+        told t = asked_of(*s, families);
+        if (s->measures == quantity::order) {
+            t = {{quantity::order}, true};
+        }
         for (const quantity q : t.of) {
             const std::string name = std::string(to_string(q)) + "/" + s->variant + "/" + s->type.name;
             auto known = std::ranges::find(all, name, &figure::name);
@@ -108,7 +111,10 @@ goal goal_of(const terms& t, const graze::precision::subjects& formulas) {
     const auto fits = [&](const figure& f) {
         // Of a decimal type, whose numbers no pair of doubles holds, borders are not told.
         const bool is_binary = f.formulas.front()->type.decimal_digits == 0;
-        return what == aim::error ? f.of != quantity::encounter : what == aim::fallback || (f.decides && is_binary);
+        const bool is_decision = f.of == quantity::encounter || f.of == quantity::order;
+        return what == aim::error      ? !is_decision
+               : what == aim::fallback ? f.of != quantity::order // work for one pair
+                                       : f.decides && is_binary;
     };
     std::vector<std::string> fitting;
     const std::vector<figure> all = figures_of(formulas);
@@ -133,6 +139,7 @@ std::vector<precision::family> families_of(const terms& t) {
     if (t.families.empty()) {
         return all;
     }
+    all.push_back(precision::drawn_triangles(starts_a_family, t.seed));
     std::vector<std::string> known;
     std::ranges::transform(all, std::back_inserter(known), &precision::family::name);
     for (const std::string& name : t.families) {

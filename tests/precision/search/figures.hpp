@@ -5,12 +5,12 @@
 
 namespace search {
 
-// Of subjects of the same variant and type: "quantity/variant/type". Orders of two pairs are not among them.
+// Of subjects of the same variant and type: "quantity/variant/type".
 struct figure {
     std::string name;
     precision::quantity of{};
     std::vector<const graze::precision::subject*> formulas;
-    bool decides = false; // says what becomes of a pair, or at least whether it collides
+    bool decides = false; // says what becomes of a pair, at least whether it collides, or which of two comes first
 };
 
 // Found by asking each formula about a few pairs of every family.

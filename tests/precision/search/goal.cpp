@@ -38,6 +38,18 @@ std::optional<asked> ask(const goal& g, const precision::pair<N>& held) {
     return std::nullopt;
 }
 
+// The score of a decision by the square of its distance from the border: wrong_by if it is wrong, else least.
+double score_by(aim what, const std::optional<mpq_class>& wrong_by, const mpq_class& least) {
+    const auto bits_of = [](const mpq_class& square) {
+        return square == 0 ? -found_from : std::max(bits_of_root(square), 1 - found_from);
+    };
+    if (wrong_by) {
+        const double bits = bits_of(*wrong_by);
+        return *wrong_by == 0 ? found_from : 2 * found_from + (what == aim::nearest ? -bits : bits);
+    }
+    return std::min(-bits_of(least), found_from - 1);
+}
+
 std::optional<double> score_of_decision(const goal& g, const any_pair& p) {
     return std::visit(
         [&]<int N>(const precision::pair<N>& drawn) -> std::optional<double> {
@@ -50,16 +62,50 @@ std::optional<double> score_of_decision(const goal& g, const any_pair& p) {
                 return found->formula->correctly_rounded ? std::optional(found_from) : std::nullopt;
             }
             const borders<N> near(*q);
-            const auto bits_of = [](const mpq_class& square) {
-                return square == 0 ? -found_from : std::max(bits_of_root(square), 1 - found_from);
-            };
-            if (const auto wrong_by = near.square_to(*found->given)) {
-                const double bits = bits_of(*wrong_by);
-                return *wrong_by == 0 ? found_from : 2 * found_from + (g.what == aim::nearest ? -bits : bits);
-            }
-            return std::min(-bits_of(near.least_square(*found->given)), found_from - 1);
+            const auto wrong_by = near.square_to(*found->given);
+            return score_by(g.what, wrong_by, wrong_by ? mpq_class(0) : near.least_square(*found->given));
         },
         p);
+}
+
+std::optional<double> score_of_order(const goal& g, const any_pair& first, const any_pair& second) {
+    return std::visit(
+        [&]<int N>(const precision::pair<N>& drawn) -> std::optional<double> {
+            const auto& type = g.formulas.front()->type;
+            const auto p = precision::held(drawn, type);
+            const auto q = precision::held(std::get<precision::pair<N>>(second), type);
+            if (!p || !q) {
+                return std::nullopt;
+            }
+            const precision::truth<N> right_p(*p), right_q(*q);
+            if (!precision::is_ordered(right_p) || !precision::is_ordered(right_q)) {
+                return std::nullopt;
+            }
+            const oracle::surd &t = *right_p.met().time, &u = *right_q.met().time;
+            const int order = oracle::compare(t, u);
+            mpq_class square = 0;
+            if (order != 0) {
+                constexpr unsigned long precise = 512;
+                const mpq_class x = oracle::approximate(t, precise), y = oracle::approximate(u, precise);
+                mpq_class apart = (x - y) / std::max(x, y);
+                if (apart == 0) { // nearer than these can tell
+                    mpq_div_2exp(apart.get_mpq_t(), mpq_class(1).get_mpq_t(), precise);
+                }
+                square = apart * apart;
+            }
+            for (const auto* formula : g.formulas) {
+                try {
+                    if (const auto given = (*formula)(*p, *q); given && given->order) {
+                        const bool is_right = *given->order == order;
+                        return score_by(g.what, is_right ? std::nullopt : std::optional(square), square);
+                    }
+                } catch (const std::exception&) {
+                    return formula->correctly_rounded ? std::optional(found_from) : std::nullopt;
+                }
+            }
+            return std::nullopt;
+        },
+        first);
 }
 
 std::optional<double> score_of_work(const goal& g, const any_pair& p) {
@@ -132,13 +178,22 @@ magnitudes::range range_from(const std::string& option, const std::string& text)
     return r;
 }
 
-std::optional<double> goal::score(const any_pair& p) const {
-    const std::vector<magnitudes::range> ranges = within.of(p);
-    const std::vector<double> numbers = std::visit([](const auto& q) { return precision::numbers_of(q); }, p);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (std::isfinite(numbers[i]) && !ranges[i].holds(numbers[i])) {
-            return std::nullopt;
+std::optional<double> goal::score(const any_pair& p, const any_pair* other) const {
+    const auto is_within = [&](const any_pair& q) {
+        const std::vector<magnitudes::range> ranges = within.of(q);
+        const std::vector<double> numbers = std::visit([](const auto& r) { return precision::numbers_of(r); }, q);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (std::isfinite(numbers[i]) && !ranges[i].holds(numbers[i])) {
+                return false;
+            }
         }
+        return true;
+    };
+    if (!is_within(p) || (other != nullptr && !is_within(*other))) {
+        return std::nullopt;
+    }
+    if (is_about_orders()) {
+        return other == nullptr ? std::nullopt : score_of_order(*this, p, *other);
     }
     switch (what) {
     case aim::nearest:

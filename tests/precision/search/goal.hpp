@@ -47,7 +47,7 @@ struct magnitudes {
 [[nodiscard]] magnitudes::range range_from(const std::string& option, const std::string& text);
 
 // formulas: the subjects of one figure, of which one is asked about a pair: the first that is about it. of: quantity of
-// the error.
+// the error; of an order, which is asked about two pairs, its decision.
 struct goal {
     aim what = aim::error;
     precision::quantity of{};
@@ -59,7 +59,10 @@ struct goal {
     // relative distance from the border (border.hpp), found pairs above those decided right, whose score leads towards
     // the border. Last of those found are the wrong ones on the border itself, and where what promises to be right
     // throws.
-    [[nodiscard]] std::optional<double> score(const any_pair& p) const;
+    // other: of an order, the second pair. Its border is where both times are one; the distance is that of the times,
+    // by the later one.
+    [[nodiscard]] std::optional<double> score(const any_pair& p, const any_pair* other = nullptr) const;
+    [[nodiscard]] bool is_about_orders() const { return of == precision::quantity::order; }
     // Whether the score is that of a find, not only of a pair on the way to one.
     [[nodiscard]] bool is_found(double score) const;
     // "3.2 units in the last place", "wrong at 1.1e-17 from the border", "5312 basic blocks".

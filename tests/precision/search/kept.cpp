@@ -140,10 +140,9 @@ bool same_search(const terms& x, const terms& y) {
 }
 
 void keep(std::vector<kept_pair>& pairs, kept_pair p) {
-    const std::string line = precision::to_line(p.at.pair);
+    const std::string line = p.at.lines();
     std::erase_if(pairs, [&](const kept_pair& q) { return q.attempt == p.attempt && (q.partial || !p.partial); });
-    const auto same =
-        std::ranges::find_if(pairs, [&](const kept_pair& q) { return precision::to_line(q.at.pair) == line; });
+    const auto same = std::ranges::find_if(pairs, [&](const kept_pair& q) { return q.at.lines() == line; });
     if (same != pairs.end()) {
         if (p.partial || (!same->partial && same->attempt < p.attempt)) {
             return;
@@ -173,7 +172,7 @@ std::string text_of(const kept_file& file, const goal& g) {
             << " partial=" << (p.partial ? 1 : 0) << " score=" << std::setprecision(17) << p.at.score << '\n'
             << "# " << g.tell(p.at.score) << (p.at.climbing ? ", still climbing" : ", no changed bit is worse") << '\n'
             << "# origin: " << p.origin << '\n'
-            << precision::to_line(p.at.pair) << '\n';
+            << p.at.lines() << '\n';
         if (!p.shrunk.empty()) {
             out << shrunk_mark << '\n' << p.shrunk << '\n';
         }
@@ -225,6 +224,7 @@ kept_file read_kept(const std::filesystem::path& path) {
     }
     kept_file f;
     bool has_terms = false, is_shrunk = false, is_told = false;
+    std::string first_line; // of an order's two
     std::string line, origin;
     kept_pair next;
     for (std::size_t number = 1; std::getline(in, line); ++number) {
@@ -256,16 +256,23 @@ kept_file read_kept(const std::filesystem::path& path) {
                 if (!is_told && !is_shrunk) {
                     throw std::runtime_error("no line \"" + std::string(pair_mark) + "\" before the pair");
                 }
-                next.at.pair = precision::from_line(line);
+                const any_pair read = precision::from_line(line);
+                if (f.of.figure.starts_with("order/") && first_line.empty()) {
+                    first_line = line;
+                    continue;
+                }
                 if (is_told) {
+                    next.at.pair = first_line.empty() ? read : precision::from_line(first_line);
+                    next.at.other = first_line.empty() ? std::nullopt : std::optional(read);
                     if (next.origin.empty()) {
                         throw std::runtime_error("no line \"# origin: \" before the pair");
                     }
                     f.pairs.push_back(next);
                 } else if (!f.pairs.empty()) {
-                    f.pairs.back().shrunk = line;
+                    f.pairs.back().shrunk = first_line + (first_line.empty() ? "" : "\n") + line;
                 }
                 is_shrunk = is_told = false;
+                first_line.clear();
             }
         } catch (const std::runtime_error& e) {
             throw std::runtime_error(path.string() + ":" + std::to_string(number) + ": " + e.what());
@@ -282,7 +289,7 @@ kept_file read_kept(const std::filesystem::path& path) {
 
 void check(const kept_file& file, const goal& g) {
     for (const kept_pair& p : file.pairs) {
-        const auto score = g.score(p.at.pair);
+        const auto score = p.at.score_by(g);
         if (!score || *score != p.at.score) {
             throw std::runtime_error("try " + std::to_string(p.attempt) + " is told as \"" + g.tell(p.at.score) +
                                      "\", but shows \"" + (score ? g.tell(*score) : "nothing") +

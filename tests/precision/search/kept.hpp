@@ -11,9 +11,10 @@ namespace search {
 
 // The terms of a search. A search continues only from a file with the same terms.
 struct terms {
-    std::string goal, figure;                // "error", "time/lagrange.stable/double"
-    std::vector<std::string> families;       // of which tries start; none: all
-    std::string lengths, velocities, masses; // the least and the greatest magnitude, "1e-3:1e3"; empty: all
+    std::string goal, figure;          // "error", "time/lagrange.stable/double"
+    std::vector<std::string> families; // of which tries start; none: all
+    // The least and the greatest magnitude, "1e-3:1e3"; empty: all.
+    std::string lengths = {}, velocities = {}, masses = {};
     std::uint64_t seed = 1, evaluations = 20'000;
     std::uint64_t shard = 0, shards = 1;  // takes the tries whose number is `shard` modulo `shards`
     std::string program = "graze-search"; // whose command it is: no term
@@ -27,7 +28,7 @@ struct kept_pair {
     std::uint64_t attempt = 0; // which try found it
     std::uint64_t climbs = 1;  // how often it was given the evaluations of a try
     bool partial = false;      // the search was stopped within the try or climb, which is to be made again
-    std::string shrunk;        // the line of a simpler pair; empty where there is none
+    std::string shrunk;        // the line of a simpler pair, or the lines of two; empty where there is none
     std::string origin;        // the command that finds it, or what is at least as bad, again
 };
 

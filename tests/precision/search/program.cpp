@@ -63,8 +63,7 @@ int make_one_try(const options& o, const goal& g) {
     }
     std::printf("# %s%s\n# origin: %s --try %ju --climbs %ju\n%s\n", g.tell(f->score).c_str(),
                 f->climbing ? ", still climbing" : ", no changed bit is worse", command_of(o.of).c_str(),
-                static_cast<std::uintmax_t>(*o.attempt), static_cast<std::uintmax_t>(o.climbs),
-                precision::to_line(f->pair).c_str());
+                static_cast<std::uintmax_t>(*o.attempt), static_cast<std::uintmax_t>(o.climbs), f->lines().c_str());
     return 0;
 }
 

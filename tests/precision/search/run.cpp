@@ -68,8 +68,8 @@ bool go_on(kept_file& file, const goal& g, const std::vector<precision::family>&
             tell(k);
             k.origin = origin_of(file.of, k);
             if (!k.partial && is_kept(file.pairs, k)) {
-                const std::string small = precision::to_line(shrink(g, k.at).pair);
-                k.shrunk = small == precision::to_line(k.at.pair) ? "" : small;
+                const std::string small = shrink(g, k.at).lines();
+                k.shrunk = small == k.at.lines() ? "" : small;
             }
             keep(file.pairs, std::move(k));
         }

@@ -48,11 +48,34 @@ struct plain_decision {
     }
 };
 
+// Orders by rounded times: wrong where both are nearly one.
+struct plain_order {
+    static constexpr const char* name = "plain";
+    static constexpr quantity measures = quantity::order;
+    template <int N, class T>
+    answer operator()(const graze::ball<N, T>& a, const graze::ball<N, T>& b, const graze::ball<N, T>& c,
+                      const graze::ball<N, T>& d) const {
+        const T t = time(a, b), u = time(c, d);
+        answer found;
+        found.order = t < u ? -1 : t > u ? 1 : 0;
+        return found;
+    }
+
+  private:
+    template <int N, class T>
+    static T time(const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
+        const auto dx = a.position - b.position, du = a.velocity - b.velocity;
+        const T R = a.radius + b.radius, q = graze::dot(du, du), h = graze::dot(dx, du);
+        return (-h - std::sqrt(h * h - q * (graze::dot(dx, dx) - R * R))) / q;
+    }
+};
+
 const graze::precision::subjects& formulas() {
     static const graze::precision::subjects list = [] {
         graze::precision::subjects all;
         graze::precision::add<square_of_speed, float>(all);
         graze::precision::add<plain_decision, double>(all);
+        graze::precision::add<plain_order, double>(all);
         return all;
     }();
     return list;
@@ -154,6 +177,32 @@ TEST_CASE("wrong decisions are found, nearer to the border and farther from it")
         const double bits = std::stod(told.substr(told.find("2^") + 2));
         CHECK((*aim == 'n' ? bits < -60 : bits > -60));
     }
+}
+
+TEST_CASE("wrong orders of two pairs are found, kept, shrunk and read by the suite") {
+    const auto t = terms_of("farthest", "order/plain/double", {"equal_times"});
+    const auto g = search::goal_of(t, formulas());
+    search::kept_file file;
+    file.of = t;
+    CHECK(search::go_on(file, g, search::families_of(t), {3, nullptr, {}, {}}));
+    REQUIRE_FALSE(file.pairs.empty());
+    const auto& worst = file.pairs.front();
+    REQUIRE(worst.at.other);
+    CHECK(g.tell(worst.at.score).starts_with("wrong at 2^-"));
+    const auto judged = precision::judge_one(*g.formulas.front(), quantity::order, worst.at.pair, &*worst.at.other);
+    REQUIRE(judged);
+    CHECK(judged->wrong);
+    CHECK_FALSE(worst.shrunk.empty());
+    const auto path = scratch("orders.txt");
+    search::write(path, file, g);
+    CHECK(search::text_of(search::read_kept(path), g) == text_in(path));
+    search::check(search::read_kept(path), g);
+    const auto read = precision::read_inputs(path).pairs; // 2i and 2i + 1 are an order there
+    std::filesystem::remove(path);
+    REQUIRE(read.size() % 2 == 0);
+    CHECK(precision::to_line(read[0]) + "\n" + precision::to_line(read[1]) == worst.at.lines());
+    CHECK_THROWS_AS(static_cast<void>(search::goal_of(terms_of("error", "order/plain/double", {}), formulas())),
+                    std::invalid_argument);
 }
 
 TEST_CASE("shards make different tries, and merged they are the whole search") {
