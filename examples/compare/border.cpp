@@ -63,29 +63,41 @@ piece from_plane(const wide_vec<N>& w, const wide_vec<N>& u, const wide_vec<N>& 
     return {un * un / nn, wn * un / nn, wn * wn / nn};
 }
 
-// The features of a wall: the face, which is the segment itself in the plane, first.
+// The features of a wall or a triangle: the face, which is the segment itself in the plane, first.
 template <int N>
-std::vector<piece> features(const wide_vec<N>& w, const wide_vec<N>& u, const std::array<wide_vec<N>, N - 1>& edge) {
+std::vector<piece> features(const wide_vec<N>& w, const wide_vec<N>& u, const std::array<wide_vec<N>, N - 1>& edge,
+                            bool is_triangle) {
     std::vector<piece> all;
     if constexpr (N == 2) {
         all.push_back(from_segment<2>(w, u, edge[0]));
     } else {
         const wide_vec<3> n = graze::cross(edge[0], edge[1]);
         all.push_back(from_plane<3>(w, u, n));
-        for (std::size_t i = 0; i < 2; ++i) { // in coordinates along the edges
+        wide at = 0, by = 0; // the sum of the coordinates along the edges
+        for (std::size_t i = 0; i < 2; ++i) {
             const wide_vec<3> side = i == 0 ? graze::cross(edge[1], n) : graze::cross(n, edge[0]);
             const wide length = graze::dot(edge[i], side);
-            all.front().restrict_to(wide(graze::dot(w, side) / length), wide(graze::dot(u, side) / length));
+            const wide here = graze::dot(w, side) / length, speed = graze::dot(u, side) / length;
+            all.front().restrict_to(here, speed);
+            at += here;
+            by += speed;
         }
-        for (std::size_t i = 0; i < 2; ++i) {
-            for (const wide_vec<3>& from : {w, w - edge[i]}) {
-                all.push_back(from_segment<3>(from, u, edge[1 - i]));
-                all.back().is_rim = true;
-            }
+        const auto add_rim = [&](const wide_vec<3>& from, const wide_vec<3>& along) {
+            all.push_back(from_segment<3>(from, u, along));
+            all.back().is_rim = true;
+        };
+        add_rim(w, edge[0]);
+        add_rim(w, edge[1]);
+        if (is_triangle) {
+            all.front().restrict_to(at, by);
+            add_rim(w - edge[0], edge[1] - edge[0]);
+        } else {
+            add_rim(w - edge[0], edge[1]);
+            add_rim(w - edge[1], edge[0]);
         }
     }
     all.front().is_face = true;
-    const std::size_t corners = std::size_t{1} << edge.size();
+    const std::size_t corners = is_triangle ? 3 : std::size_t{1} << edge.size();
     for (std::size_t corner = 0; corner < corners; ++corner) {
         wide_vec<N> from = w;
         for (std::size_t i = 0; i < edge.size(); ++i) {
@@ -172,7 +184,8 @@ border_distances border_distances_of(const problem<N>& pair) {
         edge[i] = widened<N>(pair.wall.edge[i]);
         length_square += graze::dot(edge[i], edge[i]);
     }
-    return distances(features<N>(w, u, edge), r, length_square, speed_square, false);
+    return distances(features<N>(w, u, edge, pair.kind == pair_kind::ball_triangle), r, length_square, speed_square,
+                     false);
 }
 
 double nearest_border(graze::encounter what, const border_distances& d) {

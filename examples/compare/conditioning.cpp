@@ -132,7 +132,9 @@ void set_conditions(truth& t, const problem<N>& pair) {
             const auto side = static_cast<std::size_t>(t.index / 2);
             const graze::vec<3, exact> from =
                 t.index % 2 == 0 ? pair.wall.corner : pair.wall.corner + pair.wall.edge[side];
-            set_edge_condition(t, a, from, pair.wall.edge[1 - side]);
+            const bool is_slanted = t.kind == pair_kind::ball_triangle && t.index == 1; // from corner 1 to corner 2
+            set_edge_condition(t, a, from,
+                               is_slanted ? pair.wall.edge[1] - pair.wall.edge[0] : pair.wall.edge[1 - side]);
         }
     }
 }

@@ -35,10 +35,6 @@ std::vector<std::size_t> interleaved(const std::vector<truth>& truths) {
     return order;
 }
 
-const char* key_of(pair_kind kind) {
-    return kind == pair_kind::ball_ball ? "ball_ball" : kind == pair_kind::ball_plane ? "ball_plane" : "ball_wall";
-}
-
 struct condition_samples {
     std::size_t count = 0;
     std::vector<double> times, discriminants;
@@ -120,6 +116,21 @@ std::optional<pair_information> pair_of(const group& of, std::size_t number) {
             return result;
         },
         of.pairs);
+}
+
+std::string lines_of_pairs(const std::vector<group>& groups, const std::string& command) {
+    std::string text;
+    for (const group& g : groups) {
+        std::visit(
+            [&](const auto& pairs) {
+                for (const auto& p : pairs.problems) {
+                    text +=
+                        "# origin: " + command + " --pair " + std::to_string(p.number) + "\n" + line_of_pair(p) + "\n";
+                }
+            },
+            g.pairs);
+    }
+    return text;
 }
 
 void show_extremes(results& found, const std::vector<group>& groups) {

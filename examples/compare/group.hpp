@@ -32,6 +32,9 @@ template <int N>
 // The pair of this number (see pair_information), with all that is told of it; empty if the group does not hold it.
 [[nodiscard]] std::optional<pair_information> pair_of(const group& of, std::size_t number);
 
+// Every pair as the precision regression reads it, with the command that shows it.
+[[nodiscard]] std::string lines_of_pairs(const std::vector<group>& groups, const std::string& command);
+
 // Fills in what the groups of the results show: the pairs that their rows are at their worst on.
 void show_extremes(results& found, const std::vector<group>& groups);
 

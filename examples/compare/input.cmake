@@ -14,6 +14,9 @@ target_link_libraries(compare_input
     PRIVATE graze_warnings nlohmann_json::nlohmann_json)
 compare_compile_together(compare_input -O1 ${input})
 
+if(NOT PROJECT_NAME STREQUAL "graze")
+    return()
+endif()
 # Writes examples/scenes/*.json again.
 add_executable(generate_scenes ${CMAKE_CURRENT_LIST_DIR}/../scenes/generate.cpp)
 target_compile_features(generate_scenes PRIVATE cxx_std_20)

@@ -40,6 +40,12 @@ struct integer_judge {
     }
 };
 
+template <int N>
+graze::encounter encounter_with_flat(const graze::flat_motion<N, Z>& m) {
+    const auto way = graze::way_of(m);
+    return graze::flat_decision<N, Z, integer_judge>(m, way, integer_judge{})().what;
+}
+
 } // namespace
 
 template <int N>
@@ -59,6 +65,11 @@ integer_scene<N> to_integers(const exact_scene<N>& scene) {
             lengths.include(edge);
         }
     }
+    for (const graze::triangle<exact>& t : scene.triangles) {
+        lengths.include(t.corner);
+        lengths.include(t.edge[0]);
+        lengths.include(t.edge[1]);
+    }
     integer_scene<N> result;
     for (const exact_ball<N>& b : scene.balls) {
         result.balls.push_back(
@@ -75,6 +86,9 @@ integer_scene<N> to_integers(const exact_scene<N>& scene) {
             scaled.edge[i] = lengths.times(w.edge[i]);
         }
         result.walls.push_back(scaled);
+    }
+    for (const graze::triangle<exact>& t : scene.triangles) {
+        result.triangles.push_back({lengths.times(t.corner), {lengths.times(t.edge[0]), lengths.times(t.edge[1])}});
     }
     return result;
 }
@@ -97,9 +111,11 @@ graze::encounter encounter_with_plane(const graze::ball<N, Z>& b, const graze::p
 
 template <int N>
 graze::encounter encounter_with_wall(const graze::ball<N, Z>& b, const graze::wall<N, Z>& w) {
-    const graze::flat_motion<N, Z> m{b.position - w.corner, b.velocity, w.edge, b.radius, false};
-    const auto way = graze::way_of(m);
-    return graze::flat_decision<N, Z, integer_judge>(m, way, integer_judge{})().what;
+    return encounter_with_flat<N>({b.position - w.corner, b.velocity, w.edge, b.radius, false});
+}
+
+graze::encounter encounter_with_triangle(const graze::ball<3, Z>& b, const graze::triangle<Z>& t) {
+    return encounter_with_flat<3>({b.position - t.corner, b.velocity, t.edge, b.radius, true});
 }
 
 template integer_scene<2> to_integers<2>(const exact_scene<2>&);

@@ -6,6 +6,7 @@
 #include <graze/formula/encounter.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <vector>
@@ -19,6 +20,7 @@ struct integer_scene {
     std::vector<graze::ball<N, exact_integer>> balls; // masses are not used
     std::vector<graze::plane<N, exact_integer>> planes;
     std::vector<graze::wall<N, exact_integer>> walls;
+    std::vector<graze::triangle<exact_integer>> triangles;
 };
 
 template <int N>
@@ -33,5 +35,7 @@ template <int N>
 template <int N>
 [[nodiscard]] graze::encounter encounter_with_wall(const graze::ball<N, exact_integer>& b,
                                                    const graze::wall<N, exact_integer>& w);
+[[nodiscard]] graze::encounter encounter_with_triangle(const graze::ball<3, exact_integer>& b,
+                                                       const graze::triangle<exact_integer>& t);
 
 } // namespace compare

@@ -85,16 +85,17 @@ std::string inputs_of(const options& o) {
 // Whether the standard output is a file's; it then holds nothing else.
 bool writes_to_stream(const options& o) {
     return o.json == standard_stream || o.report == standard_stream || o.picture == standard_stream ||
-           o.benchmark_json == standard_stream;
+           o.benchmark_json == standard_stream || o.inputs_file == standard_stream;
 }
 
 void check_outputs(const options& o) {
     namespace fs = std::filesystem;
-    const std::array<std::pair<std::string, std::string>, 5> files = {{{"the scene", o.scene},
+    const std::array<std::pair<std::string, std::string>, 6> files = {{{"the scene", o.scene},
                                                                        {"--json", o.json},
                                                                        {"--report", o.report},
                                                                        {"--picture", o.picture},
-                                                                       {"--benchmark-json", o.benchmark_json}}};
+                                                                       {"--benchmark-json", o.benchmark_json},
+                                                                       {"--inputs", o.inputs_file}}};
     if (!o.pairs_folder.empty() && fs::exists(o.pairs_folder) && !fs::is_directory(o.pairs_folder)) {
         throw input_error("--pairs " + printable(o.pairs_folder, 200) + ": is not a folder");
     }
@@ -187,6 +188,9 @@ int run_comparison(const options& o) {
     if (!o.benchmark_json.empty()) {
         write_whole_file(o.benchmark_json, to_benchmark_json(found));
     }
+    if (!o.inputs_file.empty()) {
+        write_whole_file(o.inputs_file, lines_of_pairs(groups, found.program + found.inputs));
+    }
     if (!o.report.empty()) {
         write_report(found, o.report);
     }
@@ -237,7 +241,7 @@ int run_diff(const options& o) {
                       "; the target graze-compare-run builds it, as ./graze compare run does");
 #else
     static_cast<void>(argv);
-    throw input_error("run: this build has no certified runs, libmpfi was not found");
+    throw input_error("run: this program has no certified runs");
 #endif
 }
 

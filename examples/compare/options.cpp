@@ -132,6 +132,9 @@ options parse_options(int argc, const char* const* argv) {
     app.add_option("--pairs", o.pairs_folder,
                    "Write the pairs that the types are wrong on, and at their worst on, to this folder, as scene files")
         ->check(named());
+    app.add_option("--inputs", o.inputs_file,
+                   "Write every pair to this file, for the precision regression of one's own formulas (its INPUTS)")
+        ->check(named());
     app.add_option("--picture", o.picture, "Write the picture of speed against error to this file, as SVG")
         ->check(named());
     app.add_flag("--list-types", list_types, "List the number types of this build, and those that it lacks");
@@ -167,6 +170,9 @@ options parse_options(int argc, const char* const* argv) {
         expect_nothing_before(app, "diff", "graze-compare diff OLD.json NEW.json");
     }
     o.numbers = as == "exact" ? number_input::exactly : number_input::as_double;
+    if (!o.inputs_file.empty() && o.numbers == number_input::exactly) {
+        throw input_error("--inputs: holds doubles; leave out --as exact");
+    }
     o.methods = methods_of(variants);
     o.table.quantities = quantities_of(quantities);
     o.table.one_pair = o.pair.has_value();

@@ -30,7 +30,7 @@ struct options {
     int digits = 15;
     double timing = 0.5;
     std::optional<std::size_t> pair; // this one alone, by its number
-    std::string json, report, picture, benchmark_json, pairs_folder;
+    std::string json, report, picture, benchmark_json, pairs_folder, inputs_file;
     std::vector<std::string> result_files; // of diff, from the earliest on
     std::string diff_report;
     std::string command; // as typed

@@ -12,7 +12,7 @@ namespace compare {
 namespace {
 
 constexpr std::size_t encounters = 5;
-constexpr std::size_t kinds = 3;
+constexpr std::size_t kinds = pair_kind_keys.size();
 
 std::size_t stratum_index(pair_kind kind, graze::encounter what) {
     return static_cast<std::size_t>(kind) * encounters + static_cast<std::size_t>(what);
@@ -20,12 +20,17 @@ std::size_t stratum_index(pair_kind kind, graze::encounter what) {
 
 constexpr std::size_t drawn_at_first = 400'000;
 
+template <int N>
+std::size_t standing(const exact_scene<N>& scene) {
+    return scene.planes.size() + scene.walls.size() + scene.triangles.size();
+}
+
 struct place_of_pair {
     pair_kind kind;
-    std::size_t i, j; // ball i with ball, plane or wall j
+    std::size_t i, j; // ball i with ball, plane, wall or triangle j
 };
 
-// The pairs of a scene in a fixed order: of each ball those with later balls, with planes and with walls. All of them,
+// The pairs of a scene in a fixed order: of each ball those with later balls, planes, walls and triangles. All of them,
 // or some drawn at random. Two infinite masses are no pair.
 template <int N>
 class candidates {
@@ -33,7 +38,7 @@ class candidates {
     candidates(const exact_scene<N>& scene, families::random& random, std::uint64_t most) : scene_(scene) {
         std::uint64_t last = 0;
         for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-            last += scene.balls.size() - 1 - i + scene.planes.size() + scene.walls.size();
+            last += scene.balls.size() - 1 - i + standing(scene);
             last_of_ball_.push_back(last);
         }
         if (last <= most) {
@@ -77,11 +82,17 @@ class candidates {
     }
     [[nodiscard]] place_of_pair of_ball(std::size_t i, std::uint64_t other) const {
         const std::size_t later = scene_.balls.size() - 1 - i;
-        const auto j = static_cast<std::size_t>(other);
-        return j < later ? place_of_pair{pair_kind::ball_ball, i, i + 1 + j}
-               : j < later + scene_.planes.size()
-                   ? place_of_pair{pair_kind::ball_plane, i, j - later}
-                   : place_of_pair{pair_kind::ball_wall, i, j - later - scene_.planes.size()};
+        auto j = static_cast<std::size_t>(other);
+        if (j < later) {
+            return {pair_kind::ball_ball, i, i + 1 + j};
+        }
+        j -= later;
+        if (j < scene_.planes.size()) {
+            return {pair_kind::ball_plane, i, j};
+        }
+        j -= scene_.planes.size();
+        return j < scene_.walls.size() ? place_of_pair{pair_kind::ball_wall, i, j}
+                                       : place_of_pair{pair_kind::ball_triangle, i, j - scene_.walls.size()};
     }
 };
 
@@ -93,6 +104,11 @@ graze::encounter decide(const integer_scene<N>& scene, const place_of_pair& p) {
         return encounter_with_plane<N>(scene.balls[i], scene.planes[j]);
     case pair_kind::ball_wall:
         return encounter_with_wall<N>(scene.balls[i], scene.walls[j]);
+    case pair_kind::ball_triangle:
+        if constexpr (N == 3) {
+            return encounter_with_triangle(scene.balls[i], scene.triangles[j]);
+        }
+        [[fallthrough]];
     default:
         return encounter_of_balls<N>(scene.balls[i], scene.balls[j]);
     }
@@ -104,8 +120,8 @@ problem<N> make_problem(const exact_scene<N>& scene, const place_of_pair& p, con
     problem<N> result;
     result.kind = kind;
     result.group = group;
-    const char* other = kind == pair_kind::ball_ball ? "ball " : kind == pair_kind::ball_plane ? "plane " : "wall ";
-    result.name = "ball " + std::to_string(i) + " and " + other + std::to_string(j);
+    const std::string other = std::string(key_of(kind)).substr(5); // after "ball_"
+    result.name = "ball " + std::to_string(i) + " and " + other + " " + std::to_string(j);
     result.a = scene.balls[i];
     switch (kind) {
     case pair_kind::ball_ball:
@@ -116,6 +132,11 @@ problem<N> make_problem(const exact_scene<N>& scene, const place_of_pair& p, con
         break;
     case pair_kind::ball_wall:
         result.wall = scene.walls[j];
+        break;
+    case pair_kind::ball_triangle:
+        if constexpr (N == 3) {
+            result.wall = {scene.triangles[j].corner, scene.triangles[j].edge};
+        }
         break;
     }
     return result;
@@ -139,7 +160,8 @@ void share_out(std::array<stratum, kinds * encounters>& strata, std::uint64_t la
 } // namespace
 
 const char* to_string(pair_kind kind) noexcept {
-    return kind == pair_kind::ball_ball ? "ball-ball" : kind == pair_kind::ball_plane ? "ball-plane" : "ball-wall";
+    constexpr std::array<const char*, kinds> names = {"ball-ball", "ball-plane", "ball-wall", "ball-triangle"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 template <int N>
@@ -154,7 +176,7 @@ scene_pairs<N> pairs_of(const exact_scene<N>& scene, const std::string& group, s
         scene.balls.begin(), scene.balls.end(), [](const exact_ball<N>& b) { return b.inverse_mass.is_zero(); }));
     result.both_infinite = infinite * (infinite == 0 ? 0 : infinite - 1) / 2;
     const std::uint64_t balls = scene.balls.size();
-    result.total = balls * (balls - 1) / 2 + balls * (scene.planes.size() + scene.walls.size()) - result.both_infinite;
+    result.total = balls * (balls - 1) / 2 + balls * standing(scene) - result.both_infinite;
     if (largest == every_pair && result.total > most_measured) {
         throw input_error("--all: the scene has " + std::to_string(result.total) +
                           " pairs, more than the 1000000 that can be measured; without --all a sample is");
@@ -203,6 +225,11 @@ graze::encounter encounter_of_pair(const problem<N>& pair) {
         break;
     case pair_kind::ball_wall:
         scene.walls.push_back(pair.wall);
+        break;
+    case pair_kind::ball_triangle:
+        if constexpr (N == 3) {
+            scene.triangles.push_back({pair.wall.corner, pair.wall.edge});
+        }
         break;
     }
     return decide<N>(to_integers<N>(scene), {pair.kind, 0, other});

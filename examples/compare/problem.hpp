@@ -6,11 +6,13 @@
 #include <graze/number/adapter/boost.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,9 +32,12 @@ struct exact_scene {
     std::vector<exact_ball<N>> balls;
     std::vector<graze::plane<N, exact>> planes;
     std::vector<graze::wall<N, exact>> walls;
+    std::vector<graze::triangle<exact>> triangles = {}; // in space
+    std::vector<std::uint8_t> inner_edges = {};         // of each triangle, as in graze::scene; runs alone use them
 };
 
-// One pair: a and, by kind, b, plane or wall. group: the scene's name or the family's. hardness: the family's k, or -1.
+// One pair: a and, by kind, b, plane or wall; a triangle is the half of `wall` at its corner. group: the scene's name
+// or the family's. hardness: the family's k, or -1.
 template <int N>
 struct problem {
     pair_kind kind = pair_kind::ball_ball;

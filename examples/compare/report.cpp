@@ -91,7 +91,7 @@ void page::made() {
 
 void page::head() {
     add("<header>\n<h1>What number types cost, and what they lose</h1>\n");
-    add("<p class=\"under\">Collisions of balls with balls and walls: " +
+    add("<p class=\"under\">Collisions of balls with balls, planes, walls and triangles: " +
         escaped(found_.source == "default" ? "the default scene and families" : found_.source) + "</p>\n");
     add("<p class=\"answer\">" + escaped(found_.sentence) + "</p>\n");
     made();

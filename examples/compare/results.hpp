@@ -15,8 +15,8 @@ namespace compare {
 
 inline constexpr int schema_version = 2;
 
-// discriminant: D. time: τ of two balls. crossing: the time at which a ball meets a plane or a wall. position: of the
-// centres at contact. velocity: of the balls after it.
+// discriminant: D. time: τ of two balls. crossing: the time at which a ball meets a plane, a wall or a triangle.
+// position: of the centres at contact. velocity: of the balls after it.
 enum class quantity { discriminant, time, crossing, position, velocity };
 inline constexpr std::array<const char*, 5> quantity_names = {"discriminant", "time", "crossing", "position",
                                                               "velocity"};
@@ -65,7 +65,7 @@ struct decision_counts {
 
 // Part of a row: the pairs of one kind and one hardness.
 struct cell {
-    std::string kind;  // "ball_ball", "ball_plane", "ball_wall"
+    std::string kind;  // "ball_ball", "ball_plane", "ball_wall", "ball_triangle"
     int hardness = -1; // the family's k; -1 where there is none
     std::size_t evaluated = 0, wrong = 0, undecided = 0;
     // Errors in units of the last place; absent where nothing was measured. A time is τ or the crossing, by kind.
@@ -135,7 +135,7 @@ struct named_number {
 struct pair_information {
     std::size_t number = 0; // for --pair: counted over all groups from 1 on
     std::string name;       // "ball 3 and wall 0"; of a family "pair 17"
-    std::string kind;       // "ball_ball", "ball_plane", "ball_wall"
+    std::string kind;       // "ball_ball", "ball_plane", "ball_wall", "ball_triangle"
     int hardness = -1;
     std::string encounter; // in truth
     std::string time;      // in decimals; empty where there is none

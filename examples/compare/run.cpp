@@ -54,6 +54,7 @@ pair_numbers numbers_of(const problem<N>& pair) {
         list.add(pair.plane.normal);
         break;
     case pair_kind::ball_wall:
+    case pair_kind::ball_triangle:
         list.add(pair.wall.corner);
         for (const auto& edge : pair.wall.edge) {
             list.add(edge);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -34,9 +35,9 @@ exact_ball<N> ball_from(const json_value& from) {
     return result;
 }
 
+// Of a wall or a triangle: its corner and edges.
 template <int N>
-graze::wall<N, exact> wall_from(const json_value& from) {
-    from.expect_keys({"corner", "edges"}, {});
+graze::wall<N, exact> flat_from(const json_value& from) {
     graze::wall<N, exact> result;
     result.corner = from.at("corner").template vector<N>();
     const json_value edges = from.at("edges");
@@ -53,6 +54,32 @@ graze::wall<N, exact> wall_from(const json_value& from) {
         }
     }
     return result;
+}
+
+// The edges of a triangle at which nothing is met, a bit each.
+std::uint8_t inner_edges_from(const json_value& from) {
+    std::uint8_t bits = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const exact edge = from.at(i).number(
+            {[](const exact& k) { return k == 0 || k == 1 || k == 2; }, "no edge of a triangle: 0, 1 or 2"});
+        bits = static_cast<std::uint8_t>(bits | 1U << static_cast<unsigned>(numerator(edge)));
+    }
+    return bits;
+}
+
+template <int N>
+void add_triangles(exact_scene<N>& to, const json_value& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const json_value from = all.at(i);
+        if constexpr (N == 3) {
+            from.expect_keys({"corner", "edges"}, {"inner_edges"});
+            const graze::wall<3, exact> half_of = flat_from<3>(from);
+            to.triangles.push_back({half_of.corner, half_of.edge});
+            to.inner_edges.push_back(from.has("inner_edges") ? inner_edges_from(from.at("inner_edges")) : 0U);
+        } else {
+            from.fail("a triangle in a scene of dimension 2");
+        }
+    }
 }
 
 template <int N>
@@ -72,9 +99,14 @@ exact_scene<N> scene_from(const json_value& top) {
                                  plane.at("normal").template vector_not_zero<N>("a normal of length 0")});
     }
     for (std::size_t i = 0; top.has("walls") && i < top.at("walls").size(); ++i) {
-        result.walls.push_back(wall_from<N>(top.at("walls").at(i)));
+        const json_value wall = top.at("walls").at(i);
+        wall.expect_keys({"corner", "edges"}, {});
+        result.walls.push_back(flat_from<N>(wall));
     }
-    if (result.planes.empty() && result.walls.empty()) {
+    if (top.has("triangles")) {
+        add_triangles<N>(result, top.at("triangles"));
+    }
+    if (result.planes.empty() && result.walls.empty() && result.triangles.empty()) {
         if (result.balls.size() == 1) {
             balls.fail("one ball and nothing that it could meet");
         }
@@ -137,7 +169,7 @@ scene_file read_scene(const std::string& path, number_input numbers) {
 scene_file read_scene_text(std::string_view text, const std::string& file, number_input numbers) {
     const json_node root = parse_json(text, file);
     const json_value top(file, root, numbers == number_input::as_double);
-    top.expect_keys({"dimension", "balls"}, {"name", "description", "source", "planes", "walls"});
+    top.expect_keys({"dimension", "balls"}, {"name", "description", "source", "planes", "walls", "triangles"});
     scene_file result;
     result.name = top.has("name") ? top.at("name").text() : std::filesystem::path(file).stem().string();
     result.description = top.has("description") ? top.at("description").text() : "";

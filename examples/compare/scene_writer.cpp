@@ -74,11 +74,14 @@ std::vector<named_number> all_numbers(const problem<N>& pair) {
         all.push_back(named("plane normal", numbers<N>(pair.plane.normal)));
         break;
     case pair_kind::ball_wall:
-        all.push_back(named("wall corner", numbers<N>(pair.wall.corner)));
+    case pair_kind::ball_triangle: {
+        const std::string flat = pair.kind == pair_kind::ball_wall ? "wall" : "triangle";
+        all.push_back(named(flat + " corner", numbers<N>(pair.wall.corner)));
         for (std::size_t i = 0; i < pair.wall.edge.size(); ++i) {
-            all.push_back(named("wall edge " + std::to_string(i), numbers<N>(pair.wall.edge[i])));
+            all.push_back(named(flat + " edge " + std::to_string(i), numbers<N>(pair.wall.edge[i])));
         }
         break;
+    }
     }
     return all;
 }
@@ -112,12 +115,13 @@ std::string written_scene(const problem<N>& pair, const std::string& name) {
         scene["planes"] = ordered::array({ordered{{"point", written_vector(numbers<N>(pair.plane.point))},
                                                   {"normal", written_vector(numbers<N>(pair.plane.normal))}}});
         break;
-    case pair_kind::ball_wall: {
+    case pair_kind::ball_wall:
+    case pair_kind::ball_triangle: {
         ordered edges = ordered::array();
         for (const auto& edge : pair.wall.edge) {
             edges.push_back(written_vector(numbers<N>(edge)));
         }
-        scene["walls"] =
+        scene[pair.kind == pair_kind::ball_wall ? "walls" : "triangles"] =
             ordered::array({ordered{{"corner", written_vector(numbers<N>(pair.wall.corner))}, {"edges", edges}}});
         break;
     }
@@ -126,11 +130,48 @@ std::string written_scene(const problem<N>& pair, const std::string& name) {
     return scene.dump(1, ' ', true, ordered::error_handler_t::replace) + "\n";
 }
 
+template <int N>
+std::string written_line(const problem<N>& pair) {
+    std::string line = key_of(pair.kind);
+    line[4] = '-'; // ball-ball
+    line += " " + std::to_string(N);
+    const auto add = [&](const std::vector<exact>& all) {
+        for (const exact& x : all) {
+            line += " " + written(exact_of(nearest_double(x))).hexadecimal;
+        }
+    };
+    const auto add_ball = [&](const exact_ball<N>& b) {
+        add(numbers<N>(b.shape.position));
+        add(numbers<N>(b.shape.velocity));
+        add({b.shape.radius});
+        if (b.inverse_mass.is_zero()) {
+            line += " inf";
+        } else {
+            add({exact(1 / b.inverse_mass)});
+        }
+    };
+    add_ball(pair.a);
+    if (pair.kind == pair_kind::ball_ball) {
+        add_ball(pair.b);
+    } else if (pair.kind == pair_kind::ball_plane) {
+        add(numbers<N>(pair.plane.point));
+        add(numbers<N>(pair.plane.normal));
+    } else {
+        add(numbers<N>(pair.wall.corner));
+        for (const auto& edge : pair.wall.edge) {
+            add(numbers<N>(edge));
+        }
+    }
+    return line;
+}
+
 } // namespace
 
 std::vector<named_number> numbers_of_pair(const problem<2>& pair) { return all_numbers<2>(pair); }
 std::vector<named_number> numbers_of_pair(const problem<3>& pair) { return all_numbers<3>(pair); }
 std::string scene_of_pair(const problem<2>& pair, const std::string& name) { return written_scene<2>(pair, name); }
 std::string scene_of_pair(const problem<3>& pair, const std::string& name) { return written_scene<3>(pair, name); }
+std::string line_of_pair(const problem<2>& pair) { return written_line<2>(pair); }
+std::string line_of_pair(const problem<3>& pair) { return written_line<3>(pair); }
 
 } // namespace compare

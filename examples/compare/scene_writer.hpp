@@ -18,4 +18,8 @@ namespace compare {
 [[nodiscard]] std::string scene_of_pair(const problem<2>& pair, const std::string& name);
 [[nodiscard]] std::string scene_of_pair(const problem<3>& pair, const std::string& name);
 
+// As a line of the precision regression's files (tests/precision/inputs.hpp), each number as the nearest double.
+[[nodiscard]] std::string line_of_pair(const problem<2>& pair);
+[[nodiscard]] std::string line_of_pair(const problem<3>& pair);
+
 } // namespace compare

@@ -8,10 +8,6 @@ namespace compare {
 
 namespace {
 
-const char* name_of(pair_kind kind) {
-    return kind == pair_kind::ball_ball ? "ball_ball" : kind == pair_kind::ball_plane ? "ball_plane" : "ball_wall";
-}
-
 // A defect that is not zero can't be smaller in any type that wide holds: it would need more digits than they have.
 constexpr long least_defect = -880;
 
@@ -33,7 +29,7 @@ bool same_decision(const answer& given, const truth& right) {
     if (given.how != outcome::answered || given.what != right.what) {
         return false;
     }
-    const bool on_wall = right.kind == pair_kind::ball_wall && graze::is_collision(right.what);
+    const bool on_wall = has_features(right.kind) && graze::is_collision(right.what);
     return !on_wall || (given.where == right.where && given.index == right.index);
 }
 
@@ -235,7 +231,7 @@ void row_score::write_to(row& result) const {
     }
     for (const auto& [key, measured] : parts_) {
         cell written;
-        written.kind = name_of(key.first);
+        written.kind = key_of(key.first);
         written.hardness = key.second;
         written.evaluated = measured.evaluated;
         written.wrong = measured.wrong;

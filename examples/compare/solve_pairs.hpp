@@ -19,6 +19,7 @@ struct input {
     T inverse_a{0}, inverse_b{0};
     graze::plane<N, T> plane{};
     graze::wall<N, T> wall{};
+    graze::triangle<T> triangle{}; // in space
 };
 
 // Takes converted numbers off a row.
@@ -71,6 +72,12 @@ template <class T, int N>
                 row.take(edge);
             }
             break;
+        case pair_kind::ball_triangle:
+            row.skip();
+            row.take(result.triangle.corner);
+            row.take(result.triangle.edge[0]);
+            row.take(result.triangle.edge[1]);
+            break;
         }
     } catch (const std::exception&) {
         result.valid = false;
@@ -99,6 +106,11 @@ void solve_pair(const input<N, T>& pair, solution_sink<N, T>& sink) {
         break;
     case pair_kind::ball_wall:
         sink.take(graze::solve<V, F>(pair.a, pair.wall));
+        break;
+    case pair_kind::ball_triangle:
+        if constexpr (N == 3) {
+            sink.take(graze::solve<V, F>(pair.a, pair.triangle));
+        }
         break;
     }
 }

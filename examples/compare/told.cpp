@@ -69,7 +69,7 @@ std::string on_feature(graze::feature where, int index) {
 } // namespace
 
 std::string told_decision(const truth& right) {
-    const bool has_feature = right.kind == pair_kind::ball_wall && graze::is_collision(right.what);
+    const bool has_feature = has_features(right.kind) && graze::is_collision(right.what);
     return graze::to_string(right.what) + (has_feature ? on_feature(right.where, right.index) : std::string());
 }
 

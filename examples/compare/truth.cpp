@@ -116,6 +116,11 @@ truth truth_of(const problem<N>& pair) {
     case pair_kind::ball_wall:
         fill(t, pair, graze::solve(pair.a.shape, pair.wall), roots);
         break;
+    case pair_kind::ball_triangle:
+        if constexpr (N == 3) {
+            fill(t, pair, graze::solve(pair.a.shape, graze::triangle<exact>{pair.wall.corner, pair.wall.edge}), roots);
+        }
+        break;
     }
     set_conditions(t, pair);
     t.borders = border_distances_of(pair);

@@ -1,5 +1,6 @@
 #include "type_list.hpp"
 
+#include "own_types.hpp"
 #include "types/types.hpp"
 
 namespace compare {
@@ -20,18 +21,24 @@ std::vector<measurable> all_types() {
     list.push_back(types::of_double_double());
 #endif
     list.push_back(types::of_fixed_point());
+#if COMPARE_HAS_BOOST
     list.push_back(types::of_cpp_bin_float_50());
     list.push_back(types::of_cpp_bin_float_100());
     list.push_back(types::of_cpp_dec_float_50());
+#endif
 #if COMPARE_HAS_MPFR
     list.push_back(types::of_mpfr_float_50());
 #endif
 #if COMPARE_HAS_CGAL
     list.push_back(types::of_interval());
 #endif
+#if COMPARE_HAS_BOOST
     list.push_back(types::of_cpp_rational());
-#if COMPARE_HAS_GMP
+#endif
+#if COMPARE_HAS_GMP && COMPARE_HAS_BOOST
     list.push_back(types::of_mpq_rational());
+#endif
+#if COMPARE_HAS_GMP
     list.push_back(types::of_mpq_class());
 #endif
 #if COMPARE_HAS_CGAL
@@ -40,11 +47,17 @@ std::vector<measurable> all_types() {
     list.push_back(types::of_lazy_exact());
     list.push_back(types::of_core_expr());
 #endif
+    for (measurable& own : own_types()) {
+        list.push_back(std::move(own));
+    }
     return list;
 }
 
 std::vector<missing_type> missing_types() {
     std::vector<missing_type> list;
+#if COMPARE_ONLY_BUILT_IN
+    return list; // left out on purpose
+#endif
 #if !COMPARE_HAS_FLOAT128
     list.push_back({"__float128", "the compiler has no quadmath.h"});
 #endif

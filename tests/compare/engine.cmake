@@ -15,6 +15,12 @@ target_compile_definitions(compare_program_test PRIVATE
     "GRAZE_JSON_PAGE=\"${PROJECT_SOURCE_DIR}/docs/reference/compare-json.md\"")
 add_dependencies(compare_program_test graze-compare)
 
+# With a number type and formulas of the user's.
+graze_add_compare_program(compare_own TYPES double own::thirty_bits HEADERS own_number.hpp
+    FORMULAS own::late_solution careless_discriminant)
+add_test(NAME compare_own COMMAND "${CMAKE_COMMAND}" -D "PROGRAM=$<TARGET_FILE:compare_own>"
+    -D "WORK=${CMAKE_CURRENT_BINARY_DIR}/own.work" -P "${CMAKE_CURRENT_SOURCE_DIR}/own.cmake")
+
 # The program on every scene, as its numbers are written and as doubles.
 file(GLOB scenes CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/scenes/*.json")
 foreach(scene IN LISTS scenes)

@@ -261,6 +261,47 @@ TEST_CASE("every field in the JSON stands in its reference page") {
     }
 }
 
+TEST_CASE("a scene of triangles: every feature is met, exact types are right, and a pair's scene holds its triangle") {
+    const bench here;
+    // Balls that fall onto a face, a slanted edge and a corner, and one that misses the half of the square it would
+    // hit.
+    here.write("mesh.json", R"({"dimension": 3, "balls": [
+        {"position": [1, 1, 3], "velocity": [0, 0, -1], "radius": 0.5},
+        {"position": [2.25, 2.25, 3], "velocity": [0, 0, -1], "radius": 0.5},
+        {"position": [4.25, -0.125, 3], "velocity": [0, 0, -1], "radius": 0.5},
+        {"position": [3.5, 3.5, 9], "velocity": [0, 0, -1], "radius": 0.5}],
+        "triangles": [{"corner": [0, 0, 0], "edges": [[4, 0, 0], [0, 4, 0]], "inner_edges": [1]}]})");
+    REQUIRE(here.run("mesh.json --types double,cpp_rational,graze --timing 0 --json out.json --pairs found").code == 0);
+    const compare::results found = compare::read_results((here / "out.json").string());
+    CHECK(found.groups[0].kinds.at("ball_triangle") == 4);
+    for (const compare::row& r : found.rows) {
+        CHECK(r.decisions.wrong() == 0);
+        CHECK(r.error(compare::quantity::crossing).count == 3);
+        if (r.type != "double") {
+            CHECK(r.error(compare::quantity::crossing).largest <= 0.5);
+        }
+    }
+    const bool any = std::any_of(found.groups[0].shown.begin(), found.groups[0].shown.end(), [](const auto& p) {
+        return p.kind == "ball_triangle" && holds(p.scene, "\"triangles\"") && holds(p.name, " and triangle 0");
+    });
+    CHECK(any);
+}
+
+TEST_CASE("the pairs as inputs of the regression") {
+    const bench here;
+    here.write("mixed.json", R"({"dimension": 2, "balls": [
+        {"position": [0, 0.5], "velocity": [1, 0], "radius": 1, "mass": "inf"},
+        {"position": [5, 0], "velocity": [0, 0], "radius": 0.25}],
+        "walls": [{"corner": [9, -1], "edges": [[0, 3]]}]})");
+    REQUIRE(here.run("mixed.json --types double --timing 0 --inputs pairs.txt").code == 0);
+    const std::string text = content_of(here / "pairs.txt");
+    CHECK(holds(text, "# origin: graze-compare mixed.json --pair 1\n"));
+    CHECK(holds(text,
+                "ball-ball 2 0x0p+0 0x1p-1 0x1p+0 0x0p+0 0x1p+0 inf 0x1.4p+2 0x0p+0 0x0p+0 0x0p+0 0x1p-2 0x1p+0\n"));
+    CHECK(holds(text, "ball-wall 2 0x0p+0 0x1p-1 0x1p+0 0x0p+0 0x1p+0 inf 0x1.2p+3 -0x1p+0 0x0p+0 0x1.8p+1\n"));
+    CHECK(std::count(text.begin(), text.end(), '\n') == 6);
+}
+
 TEST_CASE("options choose") {
     const bench here;
     const ending e = here.run(quick + "--variants lagrange/stable,halved --quantity position,velocity --dimension 3");

@@ -45,6 +45,28 @@ struct scene_with {
 
 } // namespace
 
+TEST_CASE("triangles, with their inner edges") {
+    const std::string floor =
+        R"(, "triangles": [{"corner": [0, 0, 0], "edges": [[4, 0, 0], [0, "1/3", 0]], "inner_edges": [1, 2]},
+        {"corner": [4, 4, 0], "edges": [[-4, 0, 0], [0, -4, 0]]}])";
+    const scene_file file = read_scene_text(std::string(scene_with{.top = floor}), "x", number_input::exactly);
+    const auto& scene = std::get<exact_scene<3>>(file.scene);
+    REQUIRE(scene.triangles.size() == 2);
+    CHECK(scene.triangles[0].edge[1][1] == exact(1) / 3);
+    CHECK(scene.triangles[1].corner[1] == 4);
+    CHECK(scene.inner_edges == std::vector<std::uint8_t>{0b110, 0});
+    const auto with = [](const std::string& triangle) {
+        return message_for(scene_with{.top = ", \"triangles\": [" + triangle + "]"});
+    };
+    CHECK(with(R"({"corner": [0, 0, 0], "edges": [[1, 0, 0], [2, 0, 0]]})") ==
+          "s.json: /triangles/0/edges: parallel edges");
+    CHECK(with(R"({"corner": [0, 0, 0], "edges": [[1, 0, 0], [0, 1, 0]], "inner_edges": [3]})") ==
+          "s.json: /triangles/0/inner_edges/0: no edge of a triangle: 0, 1 or 2");
+    CHECK(message_for(R"({"dimension": 2, "balls": [{"position": [5, 0], "velocity": [0, 0], "radius": 1}],
+        "triangles": [{"corner": [0, 0], "edges": [[1, 0], [0, 1]]}]})") ==
+          "s.json: /triangles/0: a triangle in a scene of dimension 2");
+}
+
 TEST_CASE("a scene in the plane, as written and as doubles") {
     const std::string text = R"({
         "name": "two and a wall", "description": "d", "source": "s",
@@ -137,7 +159,8 @@ TEST_CASE("broken JSON: line and column") {
 
 TEST_CASE("wrong keys") {
     CHECK(message_for(R"({"dimension": 2, "ballz": []})") ==
-          "s.json: /ballz: unknown key; known here: dimension, balls, name, description, source, planes, walls");
+          "s.json: /ballz: unknown key; known here: dimension, balls, name, description, source, planes, walls, "
+          "triangles");
     CHECK(message_for(scene_with{.more = R"(, "radius": 2)"}) == "s.json: /balls/1/radius: the key occurs twice");
     CHECK(message_for(scene_with{.top = R"(, "dimension": 3)"}) == "s.json: /dimension: the key occurs twice");
     CHECK(message_for(scene_with{.more = R"(, "a/b~c": 2)"}) ==

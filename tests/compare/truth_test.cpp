@@ -1,12 +1,14 @@
 // The comparison's truth against the tests' own oracle, and its condition numbers against ones found by hand.
 #include "families.hpp"
 #include "group.hpp"
+#include "pairs.hpp"
 
 #include "exact_doubles.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 using namespace compare;
@@ -27,6 +29,11 @@ void check_family(const families::family& family) {
     }
 }
 
+// The half at its corner of a family's wall.
+oracle::answer meet_triangle(const families::pair_of_doubles<3>& pair) {
+    return oracle::meet(pair.a, graze::triangle<double>{pair.wall.corner, pair.wall.edge});
+}
+
 exact_ball<2> ball(int x, int y, int u, int v, const exact& radius, const exact& mass = 1) {
     return {{{{exact(x), exact(y)}}, {{exact(u), exact(v)}}, radius, exact(1)}, exact(1) / mass};
 }
@@ -38,6 +45,50 @@ TEST_CASE("decisions and times are the oracle's, in every family") {
         check_family<2>(family);
         check_family<3>(family);
     }
+}
+
+TEST_CASE("of triangles too, with the features that they have") {
+    std::map<graze::feature, int> met;
+    for (const families::family& family : families::all_families) {
+        for (std::uint64_t i = 0; i < 90; ++i) {
+            const auto pair = family.draw<3>(7, i);
+            if (pair.kind != families::pair_kind::ball_wall) {
+                continue;
+            }
+            problem<3> triangle = to_problem<3>(pair, "");
+            triangle.kind = pair_kind::ball_triangle;
+            const truth found = truth_of(triangle);
+            const oracle::answer expected = meet_triangle(pair);
+            CHECK(static_cast<int>(found.what) == static_cast<int>(expected.what));
+            CHECK(static_cast<int>(encounter_of_pair<3>(triangle)) == static_cast<int>(expected.what));
+            if (graze::is_collision(found.what)) {
+                CHECK(expected.has(static_cast<oracle::feature>(found.where), found.index));
+                CHECK(found.time.nearest() == oracle::nearest_double(*expected.time));
+                ++met[found.where];
+            }
+        }
+    }
+    CHECK(met[graze::feature::face] > 10);
+    CHECK(met[graze::feature::edge] > 10);
+    CHECK(met[graze::feature::corner] > 10);
+}
+
+TEST_CASE("the borders of a triangle: its slanted edge") {
+    // A point that falls onto the plane of the triangle (0,0) (4,0) (0,4), at (3,0.5): 0.5/√2 inside the slanted edge.
+    problem<3> pair;
+    pair.kind = pair_kind::ball_triangle;
+    pair.a = {{{{exact(3), exact(exact(1) / 2), exact(2)}}, {{exact(0), exact(0), exact(-1)}}, exact(0), exact(1)},
+              exact(1)};
+    pair.wall = {{{exact(0), exact(0), exact(0)}},
+                 {{{{exact(4), exact(0), exact(0)}}, {{exact(0), exact(4), exact(0)}}}}};
+    const truth t = truth_of(pair);
+    CHECK(t.what == graze::encounter::hit);
+    const double length_square = 9 + 0.25 + 4 + 32;
+    CHECK(t.borders.hitting == doctest::Approx(0.125 / length_square));
+    pair.a.shape.position[1] = exact(2); // 1/√2 outside
+    const truth beside = truth_of(pair);
+    CHECK(beside.what == graze::encounter::miss);
+    CHECK(beside.borders.hitting == doctest::Approx(0.5 / (9 + 4 + 4 + 32)));
 }
 
 TEST_CASE("a head-on collision") {

@@ -1,4 +1,4 @@
-# cmake -D WAY=install|find_package|pkg-config|meson|add_subdirectory|fetch_content|single_header|compiled|precision|version
+# cmake -D WAY=install|find_package|pkg-config|meson|add_subdirectory|fetch_content|single_header|compiled|precision|compare|version
 #       -D BUILD=... -D SOURCE=... -D WORK=... -D COMPILER=... [-D CLANG=...] [-D MESON=...] -D VERSION=... -P check.cmake
 # One way for a user to get at graze, tried from nothing. The tree is moved after the installation, so that whatever
 # names its old place fails.
@@ -40,6 +40,9 @@ elseif(WAY STREQUAL "compiled")
 elseif(WAY STREQUAL "precision")
     set(consumer "${CMAKE_CURRENT_LIST_DIR}/precision")
     build_consumer("-DCMAKE_PREFIX_PATH=${prefix}")
+elseif(WAY STREQUAL "compare")
+    set(consumer "${CMAKE_CURRENT_LIST_DIR}/compare")
+    build_consumer("-DCMAKE_PREFIX_PATH=${prefix}" "-DCOMPARE_TESTS=${SOURCE}/tests/compare")
 elseif(WAY STREQUAL "add_subdirectory")
     build_consumer("-DGRAZE_SOURCE=${SOURCE}")
 elseif(WAY STREQUAL "pkg-config")
@@ -61,6 +64,7 @@ elseif(WAY STREQUAL "fetch_content")
     file(REMOVE_RECURSE "${repository}")
     file(COPY "${SOURCE}/CMakeLists.txt" "${SOURCE}/LICENSE" "${SOURCE}/include" DESTINATION "${repository}")
     file(COPY "${SOURCE}/tests/precision" DESTINATION "${repository}/tests")
+    file(COPY "${SOURCE}/examples/compare" DESTINATION "${repository}/examples")
     foreach(command IN ITEMS "init -q" "add ." "commit -q -m release" "tag v${VERSION}")
         separate_arguments(command)
         run(git -C "${repository}" -c user.name=graze -c user.email=graze@localhost ${command})

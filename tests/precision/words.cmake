@@ -8,7 +8,7 @@ file(MAKE_DIRECTORY "${WORK}")
 # refuse(text call): a script with this call ends with an error that says the text.
 function(refuse text call)
     file(WRITE "${WORK}/call.cmake" "cmake_policy(VERSION 3.25)
-include(\"${SOURCE}/tests/precision/graze-precision.cmake\")
+include(\"${SOURCE}/examples/compare/graze-compare.cmake\")
 ${call}\n")
     execute_process(COMMAND "${CMAKE_COMMAND}" -P "${WORK}/call.cmake" RESULT_VARIABLE result ERROR_VARIABLE said
         OUTPUT_VARIABLE said)
@@ -19,7 +19,7 @@ ${call}\n")
     endif()
 endfunction()
 
-foreach(function IN ITEMS graze_add_precision_test graze_add_hard_case_search)
+foreach(function IN ITEMS graze_add_precision_test graze_add_hard_case_search graze_add_compare_program)
     refuse("${function}(mine): TYPES is missing" "${function}(mine)")
     refuse("${function}(mine): TYPES has no value" "${function}(mine TYPES)")
     refuse("${function}(mine): 'double' belongs to no keyword" "${function}(mine double)")

@@ -120,7 +120,7 @@ function show(pair, row) {
     const line = (what, x) => table.append(make('tr', [make('th', what), make('td', [].concat(x).map(number).join(', '))]));
     (known.scene.balls || []).forEach((b, n) => { for (const k of Object.keys(b)) line('ball ' + 'ab'[n] + ' ' + k, b[k]); });
     (known.scene.planes || []).forEach(p => { for (const k of Object.keys(p)) line('plane ' + k, p[k]); });
-    (known.scene.walls || []).forEach(w => { line('wall corner', w.corner); w.edges.forEach((e, n) => line('wall edge ' + n, e)); });
+    for (const what of ['wall', 'triangle']) (known.scene[what + 's'] || []).forEach(w => { line(what + ' corner', w.corner); w.edges.forEach((e, n) => line(what + ' edge ' + n, e)); });
     parts.push(table, make('details', [make('summary', 'As a scene file'), make('pre', JSON.stringify(known.scene))]));
   }
   const dots = [];

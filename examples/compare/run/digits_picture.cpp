@@ -1,4 +1,5 @@
 // Correct digits against collisions.
+#include "../input_error.hpp"
 #include "run_report.hpp"
 
 #include "../report/picture.hpp"
@@ -25,7 +26,7 @@ constexpr std::array<ink, 9> inks{ink::one,  ink::bad,  ink::two,  ink::three, i
 std::string digits_picture(const run_report& r) {
     constexpr int width = 1040, height = 560;
     picture p("digits", width, height,
-              "Correct decimal digits of the balls' places after each collision of " + r.scene +
+              "Correct decimal digits of the balls' places after each collision of " + printable(r.scene, 200) +
                   ", a line for every number type; the table has the last figures.");
     std::string blocks, plots;
     double most = 1;

@@ -1,4 +1,5 @@
 // Where the balls went, in truth and in a number type.
+#include "../input_error.hpp"
 #include "run_report.hpp"
 
 #include "../report/picture.hpp"
@@ -97,8 +98,8 @@ std::optional<std::array<double, 3>> parting(const std::vector<path>& right, con
 std::string paths_picture(const run_report& r, const judged_history& beside) {
     constexpr int width = 1040, height = 900;
     picture p("paths", width, height,
-              "The paths of the balls' centres in " + r.scene + ": the true ones and those of " + beside.found.type +
-                  ".");
+              "The paths of the balls' centres in " + printable(r.scene, 200) + ": the true ones and those of " +
+                  beside.found.type + ".");
     box around;
     for (std::size_t i = 0; i < r.paths.size(); ++i) {
         const path& one = r.paths[i];

@@ -1,5 +1,6 @@
 #include "run_report.hpp"
 
+#include "../input_error.hpp"
 #include "../text_table.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr std::size_t most_listed = 20;
 
 std::string heading(const run_report& r) {
     const bool nothing = r.events.empty() && r.problem.empty() && !r.interrupted;
-    std::string text = r.scene + ": " +
+    std::string text = printable(r.scene, 200) + ": " +
                        (!nothing                            ? counted(r.events.size())
                         : r.why == graze::ending::exhausted ? "nothing ever collides"
                                                             : "nothing collides");

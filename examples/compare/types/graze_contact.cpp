@@ -103,6 +103,11 @@ class contact_solver final : public solver {
         case pair_kind::ball_wall:
             give(graze::collide(pair.a, pair.wall));
             break;
+        case pair_kind::ball_triangle:
+            if constexpr (N == 3) {
+                give(graze::collide(pair.a, pair.triangle));
+            }
+            break;
         }
     }
 
@@ -114,9 +119,15 @@ class contact_solver final : public solver {
         case pair_kind::ball_plane:
             return to.decided(graze::classify(pair.a, pair.plane));
         case pair_kind::ball_wall:
-            break;
+            return decide(graze::classify_feature(pair.a, pair.wall), to);
+        case pair_kind::ball_triangle:
+            if constexpr (N == 3) {
+                return decide(graze::classify_feature(pair.a, pair.triangle), to);
+            }
         }
-        const graze::wall_encounter met = graze::classify_feature(pair.a, pair.wall);
+        return false;
+    }
+    static bool decide(const graze::wall_encounter& met, answer_sink& to) {
         return to.decided(met.what, met.where, met.index);
     }
 
