@@ -16,7 +16,7 @@ target_compile_definitions(compare_program_test PRIVATE
 add_dependencies(compare_program_test graze-compare)
 
 # With a number type and formulas of the user's.
-graze_add_compare_program(compare_own TYPES double own::thirty_bits HEADERS own_number.hpp
+graze_add_compare_program(compare_own TYPES own::thirty_bits HEADERS own_number.hpp
     FORMULAS own::late_solution careless_discriminant)
 add_test(NAME compare_own COMMAND "${CMAKE_COMMAND}" -D "PROGRAM=$<TARGET_FILE:compare_own>"
     -D "WORK=${CMAKE_CURRENT_BINARY_DIR}/own.work" -P "${CMAKE_CURRENT_SOURCE_DIR}/own.cmake")

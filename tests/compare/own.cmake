@@ -11,7 +11,7 @@ function(expect what)
 endfunction()
 
 execute_process(COMMAND "${PROGRAM}" --list-types OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
-foreach(name IN ITEMS thirty_bits "late in thirty_bits" "late in double" "careless in double")
+foreach(name IN ITEMS thirty_bits "late in thirty_bits" "careless in thirty_bits")
     if(NOT said MATCHES "\n${name} ")
         message(SEND_ERROR "no '${name}' among the types:\n${said}")
     endif()
@@ -39,16 +39,16 @@ macro(figures family)
     endforeach()
 endmacro()
 
-figures(generic "double,thirty_bits,late in double,graze")
+figures(generic "double,thirty_bits,late in thirty_bits,graze")
 expect("the types and forms" rows EQUAL 16) # 8 of double, 6 of one without a fused multiply-add, a formula, and graze
-expect("twice the time" late_in_double_lagrange_stable_time_median GREATER 4503599627370496)
-expect("twice the time" late_in_double_lagrange_stable_time_median LESS 9007199254740992)
+expect("twice the time" late_in_thirty_bits_lagrange_stable_time_median GREATER 4503599627370496)
+expect("twice the time" late_in_thirty_bits_lagrange_stable_time_median LESS 9007199254740992)
 expect("thirty bits" thirty_bits_lagrange_stable_time_median GREATER 1048576)
 expect("what double gets right" double_lagrange_stable_time_median LESS 16)
 expect("graze" graze_lagrange_stable_time_largest LESS_EQUAL 0.5)
-expect("the time of a formula" late_in_double_lagrange_stable_ns GREATER 0)
+expect("the time of a formula" late_in_thirty_bits_lagrange_stable_ns GREATER 0)
 
 # h² and q|Δx|² - qR² lose more apart than in h² - qc, where c is small and right to its last bits.
-figures(near_contact "double,careless in double")
-expect("the careless discriminant" careless_in_double_lagrange_stable_discriminant_median GREATER
-    double_halved_stable_discriminant_median)
+figures(near_contact "thirty_bits,careless in thirty_bits")
+expect("the careless discriminant" careless_in_thirty_bits_lagrange_stable_discriminant_median GREATER
+    thirty_bits_halved_stable_discriminant_median)

@@ -23,6 +23,17 @@ const std::string photon = "run " GRAZE_SCENES "/photon.json --until 10 ";
 
 } // namespace
 
+TEST_CASE("what a scene calls itself cannot write on the terminal") {
+    const bench here;
+    here.write("evil.json", R"({"dimension": 2, "name": "\u001b[31mred\u0007\nnext\u202e",
+        "balls": [{"position": [0, 0], "velocity": [1, 0], "radius": 1}, {"position": [5, 0], "velocity": [0, 0], "radius": 1}]})");
+    const ending e = here.run("run evil.json --until 9 --certified --json run.json");
+    CHECK(e.code == 0);
+    CHECK(e.out.starts_with("\\x1b[31mred\\x07\\x0anext\\xe2\\x80\\xae: 1 collision"));
+    const std::string scene = nlohmann::json::parse(content_of(here / "run.json"))["scene"];
+    CHECK(scene.starts_with("\x1b[31mred\a\n")); // as it is
+}
+
 TEST_CASE("the photon: what every type keeps of it") {
     const bench here;
     const ending e = here.run(photon + "--distance 0 --timing 0.001 --events --json out.json");
