@@ -3,6 +3,8 @@
 #include "own_types.hpp"
 #include "types/types.hpp"
 
+#include <algorithm>
+
 namespace compare {
 
 // COMPARE_HAS_* are set by the build, for the libraries that it found. A type is added by a source file in types/, a
@@ -48,7 +50,11 @@ std::vector<measurable> all_types() {
     list.push_back(types::of_core_expr());
 #endif
     for (measurable& own : own_types()) {
-        list.push_back(std::move(own));
+        const bool is_there = std::any_of(
+            list.begin(), list.end(), [&](const measurable& m) { return m.information.name == own.information.name; });
+        if (!is_there) {
+            list.push_back(std::move(own));
+        }
     }
     return list;
 }

@@ -189,9 +189,13 @@ std::string beside_accepted(const reference& accepted, quantity of, const any_pa
     }
     const std::string who = "graze's own " + accepted.name() + " in as many digits, each operation rounded once";
     const auto v = judge_one(accepted.formula(), of, p);
-    std::string text = "    beside:   " + who + ", is " + (!v || v->wrong ? "wrong" : "right") + " there";
-    if (v && !v->wrong && !v->errors.empty()) {
-        text += ", to " + told(v->largest()) + " units in the last place";
+    std::string text = "    beside:   " + who + ", ";
+    if (!v || v->wrong) {
+        text += "is wrong there";
+    } else if (v->errors.empty()) {
+        text += "is right there";
+    } else {
+        text += "decides nothing wrong there, with an error of " + told(v->largest()) + " units in the last place";
     }
     return text + (is_loss ? "\n" : "; no pair of the family was found that it has right and that shows the loss\n");
 }
