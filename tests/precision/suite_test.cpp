@@ -3,6 +3,8 @@
 #include "shrink.hpp"
 #include "which_flag.hpp"
 
+#include <graze/solve.hpp>
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -131,6 +133,49 @@ TEST_CASE("each figure that gates is compared, and the median is not") {
     CHECK(lost([](auto& f) { --f.pairs; }) == 1);
     CHECK(lost([](auto& f) { f.median = 1; }) == 0);
     CHECK(lost([](auto& f) { f.wrong = 0, f.misrounded = 0, f.largest = 0; }) == 0);
+}
+
+namespace {
+
+// A solution that comes twice as late as it should, and a discriminant from the motion alone.
+struct late_solution {
+    static constexpr const char* name = "late";
+    static constexpr auto measures = quantity::time;
+    template <int N, class T>
+    graze::ball_solution<N, T> operator()(const graze::ball<N, T>& a, const graze::ball<N, T>& b) const {
+        auto s = graze::solve(a, b);
+        s.time = s.time + s.time;
+        return s;
+    }
+};
+struct discriminant_of_motion {
+    static constexpr const char* name = "motion";
+    static constexpr auto measures = quantity::discriminant;
+    template <int N, class T>
+    T operator()(const graze::relative_motion<N, T, T, T>& m) const {
+        return graze::discriminant_lagrange{}(m);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a formula may return what solve does, or be a discriminant of the motion") {
+    graze::precision::subjects list;
+    graze::precision::add<late_solution, double>(list);
+    graze::precision::add<discriminant_of_motion, double>(list);
+    const pair<2> p{{{0, 0}, {1, 0}, 1}, graze::ball<2>{{9, 0}, {0, 0}, 1}}; // τ = 7; h = -9, a = 1, c = 77
+    const auto late = (*list[0])(p), discriminant = (*list[1])(p);
+    REQUIRE(late);
+    CHECK(late->what == graze::encounter::hit);
+    REQUIRE(late->values.size() == 6);
+    CHECK(late->values[0].of == quantity::time);
+    CHECK(late->values[0].components[0].parts[0] == 14);
+    CHECK(late->values[1].components[0].parts[0] == 7); // of ball a, where it is then
+    REQUIRE(discriminant);
+    CHECK_FALSE(discriminant->what);
+    REQUIRE(discriminant->values.size() == 1);
+    CHECK(discriminant->values[0].components[0].parts[0] == 4);
+    CHECK_FALSE((*list[1])(pair<2>{{{0, 0}, {1, 0}, 1}, graze::plane<2>{{9, 0}, {1, 0}}}));
 }
 
 TEST_CASE("what shrinks keeps showing the loss") {
