@@ -51,7 +51,7 @@ left open, by a type that says so. What has no line here decided every pair righ
 )";
 
 inline constexpr const char* distribution = R"(<h2>How the errors are distributed</h2>
-<p>Which share of the times of impact, of pairs decided right, has at most which error, in units of the last place of a
+<p>Of the pairs decided right, the share whose time of impact has at most this error, in units in the last place of a
 double. Left and up is better; left of the dashed line a time is within half a unit.</p>
 )";
 
@@ -62,8 +62,8 @@ problem’s, and a line ends where no decision was right.</p>
 )";
 
 inline constexpr const char* tables = R"(<h2>Tables</h2>
-<p>Errors are the largest ones, the median in parentheses, in units of the last place that the exact value has as a
-double. Momentum and energy: the largest relative change over an impact. A star marks the best of a group: nothing is both
+<p>Errors are the largest ones, the median in parentheses, in units in the last place that the exact value has as a
+double. Momentum and energy: the largest relative change in a collision. A star marks the best of a group: nothing is both
 faster and better. <span class="pointing">What is open here is printed.</span></p>
 )";
 
