@@ -45,6 +45,7 @@ export class Browser {
   // A page on a screen of that size, in light or in dark.
   async goTo(url, {width, height, dark}) {
     await this.send('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: 1, mobile: width < 600});
+    await this.send('Emulation.setTouchEmulationEnabled', {enabled: width < 600, maxTouchPoints: 2});
     await this.send('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value: dark ? 'dark' : 'light'}]});
     await this.send('Page.navigate', {url: 'about:blank'});
     await this.send('Page.navigate', {url});
@@ -65,6 +66,13 @@ export class Browser {
     for (const [type, at] of [['mousePressed', [x, y]], ['mouseMoved', [u, v]], ['mouseReleased', [u, v]]]) {
       await this.send('Input.dispatchMouseEvent', {type, x: at[0], y: at[1], button: 'left', buttons: 1, clickCount: 1});
     }
+  }
+  // Fingers, each from its first place to its last one by way of the others.
+  async touch(...fingers) {
+    const at = k => fingers.map((way, id) => ({x: way[k][0], y: way[k][1], id}));
+    await this.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: at(0)});
+    for (let k = 1; k < fingers[0].length; ++k) await this.send('Input.dispatchTouchEvent', {type: 'touchMove', touchPoints: at(k)});
+    await this.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
   }
 
   async picture() {

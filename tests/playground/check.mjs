@@ -92,6 +92,25 @@ async function checkPair(screen) {
   await fits('pair');
 }
 
+// Two fingers zoom, one that taps asks about a place.
+async function checkTouch(screen) {
+  await open(screen);
+  const box = await browser.evaluate(`(() => { const c = document.querySelector('[data-key=double] canvas'); c.scrollIntoView({block: 'center'});
+    const {left, top, width, height} = c.getBoundingClientRect(); return {left, top, width, height} })()`);
+  const at = (x, y) => [box.left + x * box.width, box.top + y * box.height];
+  const apart = far => [at(0.5 - far, 0.5), at(0.5 + far, 0.5)];
+  const pinch = (...widths) => browser.touch(...[0, 1].map(k => widths.map(far => apart(far)[k])));
+  const note = () => text('[data-key=double] .note');
+  for (let i = 0; i < 12 && (await note()) !== 'all right'; ++i) await pinch(0.4, 0.3, 0.2, 0.1);
+  await until('fingers that close zoom out, where all are right', async () => (await note()) === 'all right');
+  for (let i = 0; i < 12 && (await note()) === 'all right'; ++i) await pinch(0.1, 0.2, 0.3, 0.4);
+  await until('fingers that part zoom in, where doubles are wrong', async () => /^\d+ wrong$/.test(await note()));
+  const place = () => text('#table p');
+  const before = await place();
+  await browser.touch([at(0.25, 0.25)]);
+  await until('a tap asks about another place', async () => (await place()) !== before);
+}
+
 // title of the button, name of the scene, events, the last one's balls and time, and the event at which doubles part.
 async function checkRun(title, name, events, who, time, parting) {
   await browser.evaluate(`[...document.querySelectorAll('#scenes button')].find(b => b.textContent === ${JSON.stringify(title)}).click()`);
@@ -137,11 +156,12 @@ async function checkDrawing(screen) {
   const box = await browser.evaluate(`(() => { const c = document.querySelector('[data-key=graze] canvas'); c.scrollIntoView({block: 'center'});
     const {left, top, width, height} = c.getBoundingClientRect(); return {left, top, width, height} })()`);
   const at = (x, y) => [box.left + x * box.width, box.top + y * box.height];
-  await browser.drag(at(0.6, 0.5), at(0.7, 0.4));
+  const stroke = (from, to) => (screen === telephone ? browser.touch([from, to]) : browser.drag(from, to));
+  await stroke(at(0.6, 0.5), at(0.7, 0.4));
   const scene = async () => JSON.parse(await browser.evaluate('document.querySelector("#json").value'));
   await until('a ball is drawn', async () => (await scene()).balls.length === 2);
   await click('[data-tool=wall]');
-  await browser.drag(at(0.3, 0.3), at(0.4, 0.7));
+  await stroke(at(0.3, 0.3), at(0.4, 0.7));
   await until('a wall is drawn', async () => (await scene()).walls.length === 5);
   assert.ok((await scene()).balls[1].velocity[1] > 0, 'the ball flies up');
   await fits('drawing');
@@ -158,6 +178,7 @@ try {
     await checkRun('pool table', 'pool break', 400, 'ball 15 and wall 0', '0x1.4167f8debdfddp+3', '134');
     await picture(`pool-${name}`);
     if (screen === desk) await checkRuns();
+    if (screen === telephone) await checkTouch(screen);
     await checkDrawing(screen);
     await picture(`drawing-${name}`);
   }
