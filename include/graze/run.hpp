@@ -5,6 +5,7 @@
 #include <graze/scene/exact_mechanics.hpp>
 #include <graze/scene/plain_mechanics.hpp>
 #include <graze/scene/run.hpp>
+#include <graze/scene/scene_of.hpp>
 
 #if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)
 #include <graze/contact/compiled.hpp>

@@ -5,3 +5,4 @@
 #include <graze/scene/first_events.hpp>
 #include <graze/scene/overlapping.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_of.hpp>

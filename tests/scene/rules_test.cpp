@@ -3,10 +3,12 @@
 
 #include <graze/number/floating.hpp>
 #include <graze/scene/plain_mechanics.hpp>
+#include <graze/scene/scene_of.hpp>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -41,6 +43,37 @@ TEST_CASE("nothing happens in an empty scene, or to one ball") {
     CHECK(finished.outcome.why == graze::ending::exhausted);
     CHECK(finished.outcome.events == 0);
     CHECK(finished.flights[0].since == 0);
+}
+
+TEST_CASE("a scene of other types runs as one of graze's own") {
+    struct place {
+        double x, y;
+    };
+    struct particle {
+        place position, velocity;
+        double radius;
+    };
+    struct half_plane {
+        place point, normal;
+    };
+    std::vector<particle> discs;
+    std::vector<graze::ball<2>> own;
+    for (int i = 0; i < 9; ++i) {
+        discs.push_back({{i + 0.5, 0.25 * i}, {1.0 - i % 3, 0.5 * (i % 2)}, 0.125 + 0.03125 * i});
+        own.push_back(graze::shape_of(discs.back()));
+    }
+    const std::array<half_plane, 2> ends{{{{0, 0}, {1, 0}}, {{10, 0}, {2, 0}}}};
+    const planes own_ends = {{{{0, 0}}, {{1, 0}}}, {{{10, 0}}, {{2, 0}}}};
+    auto foreign = graze::scene_of(discs, ends, box);
+    const auto moved = std::move(foreign);
+    const auto as = [](const finished_run<2>& r) { return std::pair(r.outcome.events, r.outcome.why); };
+    const auto a = run_exactly<2>(moved, {.events = 50}), b = run_exactly<2>({own, own_ends, box}, {.events = 50});
+    CHECK(as(a) == as(b));
+    CHECK(a.outcome.events > 10);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        CHECK(a.flights[i].since == b.flights[i].since);
+        CHECK(a.flights[i].state.velocity == b.flights[i].state.velocity);
+    }
 }
 
 TEST_CASE("bad input is named") {
