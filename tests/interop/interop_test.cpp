@@ -1,5 +1,6 @@
 // Shapes of Eigen's, glm's and Bullet's vectors and of others: what is known of a few pairs, and the bits that graze's
 // own shapes give for many.
+#include <graze/batch.hpp>
 #include <graze/graze.hpp>
 
 #if __has_include(<Eigen/Core>)
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -124,6 +126,45 @@ TEST_CASE("members, calls, arrays") {
     const particle<by_call, float> b{{0, 0}, {0, 0}, 2, 1};
     CHECK(graze::classify(a, b) == graze::encounter::graze);
     CHECK(graze::time_of_impact(a, b) == 8.F);
+}
+
+TEST_CASE("batches of foreign balls, and of one foreign thing, answer as those of graze's own") {
+    std::mt19937 random(2);
+    const auto number = [&] { return static_cast<double>(static_cast<int>(random() % 2001) - 1000) / 64; };
+    std::vector<particle<by_member, double>> a, b;
+    std::vector<graze::ball<3>> own_a, own_b;
+    for (int i = 0; i < 300; ++i) {
+        const auto draw = [&] {
+            return particle<by_member, double>{{number(), number(), number()}, {number(), number(), number()}, 2, 1};
+        };
+        a.push_back(draw());
+        b.push_back(i % 7 == 0 ? a.back() : draw());
+        own_a.push_back(graze::shape_of(a.back()));
+        own_b.push_back(graze::shape_of(b.back()));
+    }
+    const half_space<by_member> floor{{0, 0, -1}, {1, 2, 3}};
+    const quad<by_member> pane{{-9, -9, 0}, {18, 0, 1}, {0, 18, 2}};
+    const auto agree = [&](const auto& x, const auto& y, const auto& own_x, const auto& own_y) {
+        std::array<graze::encounter, 300> what, expected;
+        std::array<double, 300> time, expected_time;
+        graze::batch::classify(x, y, what);
+        graze::batch::classify(own_x, own_y, expected);
+        graze::batch::time_of_impact(x, y, time);
+        graze::batch::time_of_impact(own_x, own_y, expected_time);
+        return what == expected && time == expected_time && what[3] == graze::classify(x[3], [&] {
+                                                                if constexpr (requires { y.size(); }) {
+                                                                    return y[3];
+                                                                } else {
+                                                                    return y;
+                                                                }
+                                                            }());
+    };
+    CHECK(agree(a, b, own_a, own_b));
+    CHECK(agree(a, floor, own_a, graze::shape_of(floor)));
+    CHECK(agree(own_a, pane, own_a, graze::shape_of(pane)));
+    b[17].radius = -1;
+    std::array<graze::encounter, 300> what;
+    CHECK_THROWS_WITH(graze::batch::classify(a, b, what), "pair 17: ball b: radius is negative");
 }
 
 TEST_CASE("a flight") {

@@ -1,9 +1,11 @@
 // What cannot throw, in a unit with exceptions or one without: every kind of pair, answers and errors known by hand.
 #include "questions.hpp"
 
+#include <graze/batch.hpp>
 #include <graze/checked.hpp>
 #include <graze/exact/integer.hpp>
 
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -99,6 +101,14 @@ bool others() {
                     "wall: edge is zero", "edge");
 }
 
+bool batches() {
+    std::array<graze::ball<3>, 5> many;
+    many.fill(coming);
+    std::array<encounter, 5> what{};
+    graze::batch::classify(many, resting, what);
+    return what[0] == encounter::hit && what[4] == encounter::hit;
+}
+
 } // namespace
 
-bool TRIED() { return balls() && flights() && walls() && others(); }
+bool TRIED() { return balls() && flights() && walls() && others() && batches(); }

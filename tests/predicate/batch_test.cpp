@@ -43,7 +43,8 @@ std::vector<encounter> classified(const A& a, const B& b, std::size_t size) {
     graze::batch::classify(a, b, what);
     std::vector<encounter> wide(size, encounter{-1});
     using question = graze::detail::batch_classify;
-    graze::detail::decide_all<question, wider>(graze::detail::source_of(a), graze::detail::source_of(b), wide);
+    graze::detail::decide_all<question, graze::detail::unit_mode, wider>(graze::detail::source_of(a),
+                                                                         graze::detail::source_of(b), wide);
     CHECK(wide == what);
     return what;
 }
@@ -52,7 +53,8 @@ std::vector<int> overlapping(const A& a, const B& b, std::size_t size) {
     bools inside(size), wide(size);
     graze::batch::overlaps(a, b, inside.all());
     using question = graze::detail::batch_overlaps;
-    graze::detail::decide_all<question, wider>(graze::detail::source_of(a), graze::detail::source_of(b), wide.all());
+    graze::detail::decide_all<question, graze::detail::unit_mode, wider>(graze::detail::source_of(a),
+                                                                         graze::detail::source_of(b), wide.all());
     CHECK(std::equal(wide.all().begin(), wide.all().end(), inside.all().begin()));
     return {inside.all().begin(), inside.all().end()};
 }

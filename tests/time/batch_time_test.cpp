@@ -38,7 +38,8 @@ template <class A, class B, class T>
 std::vector<T> times_of(const A& a, const B& b, rounding mode, std::vector<T> time) {
     std::vector<T> wide = time;
     graze::batch::time_of_impact(a, b, time, mode);
-    graze::detail::time_all<wider>(graze::detail::source_of(a), graze::detail::source_of(b), std::span(wide), mode);
+    graze::detail::time_all<graze::detail::unit_mode, wider>(graze::detail::source_of(a), graze::detail::source_of(b),
+                                                             std::span(wide), mode);
     CHECK(same_bits(time, wide));
     return time;
 }

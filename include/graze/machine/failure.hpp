@@ -19,6 +19,7 @@ namespace graze::inline v0_1::detail {
 #endif
 
 inline namespace with_exceptions {
+struct unit_mode {}; // as a template's argument it makes what units of the two kinds compile two things
 template <class Error>
 [[noreturn]] void fail(const std::string& message) {
     throw Error(message);
@@ -30,6 +31,7 @@ template <class Error>
 [[gnu::weak]] void throw_domain_error(const char* message); // of a unit with exceptions
 
 inline namespace without_exceptions {
+struct unit_mode {};
 template <class Error>
 [[noreturn]] void fail(const std::string& message) {
     if (throw_domain_error != nullptr) {

@@ -1,6 +1,7 @@
 // A batch, block by block: in lanes first, then one by one what they leave open.
 #pragma once
 
+#include <graze/machine/failure.hpp>
 #include <graze/pair/batch_source.hpp>
 #include <graze/pair/open_pairs.hpp>
 
@@ -20,7 +21,7 @@ concept batch_of = requires {
 };
 
 // f(); what it throws of bad input is thrown with the index of the pair.
-template <class F>
+template <class Mode, class F>
 void of_pair(std::size_t i, const F& f) {
 #if defined(__cpp_exceptions)
     try {
@@ -34,14 +35,14 @@ void of_pair(std::size_t i, const F& f) {
 #endif
 }
 
-template <class A, class B>
+template <class Mode, class A, class B>
 void require_size(const A& a, const B& b, std::size_t answers) {
     bool fits = a.size() == answers;
     if constexpr (requires { b.size(); }) {
         fits = fits && b.size() == answers;
     }
     if (!fits) {
-        throw std::invalid_argument("batch: what is given and what is to be written differ in size");
+        fail<std::invalid_argument>("batch: what is given and what is to be written differ in size");
     }
 }
 
@@ -105,28 +106,29 @@ void ask_widest_lanes(const A& a, const B& b, std::size_t from, std::size_t coun
     ask_lanes<Question, native_pack<typename A::scalar>>(a, b, from, count, answers, left);
 }
 
-template <class Question, class A, class B>
+template <class Question, class Mode, class A, class B>
 [[gnu::noinline]] void settle(const A& a, const B& b, std::size_t from, const open_pairs& left,
                               typename Question::answer* answers) {
     left.each([&](std::size_t k) {
         const std::size_t i = from + k;
-        of_pair(i, [&] { answers[i] = Question::further(a.at(i), b.at(i)); });
+        of_pair<Mode>(i, [&] { answers[i] = Question::further(a.at(i), b.at(i)); });
     });
 }
 
-template <class Question, int Wider = compiled_register_bytes, class A, class B>
+template <class Question, class Mode, int Wider = compiled_register_bytes, class A, class B>
 void decide_all(const A& a, const B& b, std::span<typename Question::answer> answers) {
-    require_size(a, b, answers.size());
+    require_size<Mode>(a, b, answers.size());
     if constexpr (has_lanes<Question, A, B>) {
         for (std::size_t from = 0; from < answers.size(); from += block_size) {
             const std::size_t count = std::min(block_size, answers.size() - from);
             open_pairs left;
-            ask_widest_lanes<Wider, Question>(a, b, from, count, answers.data(), left);
-            settle<Question>(a, b, from, left, answers.data());
+            ask_widest_lanes<is_foreign<A> || is_foreign<B> ? 0 : Wider, Question>(a, b, from, count, answers.data(),
+                                                                                   left);
+            settle<Question, Mode>(a, b, from, left, answers.data());
         }
     } else {
         for (std::size_t i = 0; i < answers.size(); ++i) {
-            of_pair(i, [&] { answers[i] = Question::one(a.at(i), b.at(i)); });
+            of_pair<Mode>(i, [&] { answers[i] = Question::one(a.at(i), b.at(i)); });
         }
     }
 }

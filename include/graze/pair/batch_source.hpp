@@ -3,7 +3,9 @@
 
 #include <graze/machine/transpose.hpp>
 #include <graze/pair/lane_shapes.hpp>
+#include <graze/pair/moving.hpp>
 #include <graze/shape/columns.hpp>
+#include <graze/shape/shape_access.hpp>
 
 #include <array>
 #include <cstddef>
@@ -102,6 +104,57 @@ struct single_source<ball<N, T>> {
     }
 };
 
+// A user's balls, in a row, and one thing of a user's type. What is not graze's own is never asked of graze::compiled.
+template <ball_like B>
+struct foreign_source {
+    using shape = decltype(shape_of(std::declval<const B&>()));
+    using scalar = number_in<shape>;
+    static constexpr int dimension = dimension_of<shape>;
+    static constexpr bool is_foreign = true;
+    const B* balls;
+    std::size_t count;
+
+    [[nodiscard]] std::size_t size() const noexcept { return count; }
+    [[nodiscard]] shape at(std::size_t i) const { return shape_of(balls[i]); }
+    template <class V>
+    [[nodiscard, gnu::always_inline]] ball<dimension, V> lanes_from(std::size_t i) const {
+        return read<V>([i](int k) { return i + static_cast<std::size_t>(k); });
+    }
+    template <class V>
+    [[nodiscard, gnu::always_inline]] ball<dimension, V> lanes_at(const std::array<std::size_t, V::lanes>& i) const {
+        return read<V>([&i](int k) { return i[static_cast<std::size_t>(k)]; });
+    }
+
+  private:
+    template <class V, class F>
+    [[nodiscard, gnu::always_inline]] ball<dimension, V> read(const F& index) const {
+        std::array<shape, V::lanes> here;
+        for (int k = 0; k < V::lanes; ++k) {
+            here[static_cast<std::size_t>(k)] = shape_of(balls[index(k)]);
+        }
+        return array_source<dimension, scalar>{here.data(), V::lanes}.template lanes_from<V>(0);
+    }
+};
+template <class S>
+struct held_source {
+    static constexpr bool is_foreign = true;
+    S one;
+
+    [[nodiscard]] const S& at(std::size_t) const noexcept { return one; }
+    template <class V>
+    requires requires(const single_source<S>& s) { s.template lanes_from<V>(0); }
+    [[nodiscard, gnu::always_inline]] auto lanes_from(std::size_t) const noexcept { return filled<V>(one); }
+    template <class V>
+    requires requires(const single_source<S>& s) { s.template lanes_from<V>(0); }
+    [[nodiscard, gnu::always_inline]] auto lanes_at(const std::array<std::size_t, V::lanes>&) const noexcept {
+        return filled<V>(one);
+    }
+};
+template <class A>
+inline constexpr bool is_foreign = false;
+template <class A>
+requires(A::is_foreign) inline constexpr bool is_foreign<A> = true;
+
 // What a caller gives, as a source.
 template <int N, class T>
 [[nodiscard]] constexpr column_source<N, T> source_of(const columns<N, T>& x) noexcept {
@@ -109,6 +162,11 @@ template <int N, class T>
 }
 template <int N, class T>
 [[nodiscard]] constexpr array_source<N, T> array_of(const ball<N, T>* first, std::size_t count) noexcept {
+    return {first, count};
+}
+template <ball_like B>
+requires(!is_flight<decltype(shape_of(std::declval<const B&>()))>)
+    [[nodiscard]] constexpr foreign_source<B> array_of(const B* first, std::size_t count) noexcept {
     return {first, count};
 }
 template <class R>
@@ -131,6 +189,11 @@ template <int N, class T>
 template <class T>
 [[nodiscard]] constexpr single_source<triangle<T>> source_of(const triangle<T>& x) noexcept {
     return {&x};
+}
+
+template <foreign_shape S>
+[[nodiscard]] constexpr auto source_of(const S& x) {
+    return held_source<decltype(shape_of(x))>{shape_of(x)};
 }
 
 template <class A>

@@ -61,17 +61,17 @@ namespace batch {
 // ball of a. Throws std::invalid_argument, before anything is written, if sizes differ; and what classify throws, the
 // message beginning with "pair " and the first index of which the input is bad: then all answers before that are
 // written, and any of those after it may be. Calls share nothing: parts of a batch may be asked by several threads.
-template <class A, class B>
+template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void classify(const A& a, const B& b, std::span<encounter> what) {
-    detail::decide_all<detail::batch_classify>(detail::source_of(a), detail::source_of(b), what);
+    detail::decide_all<detail::batch_classify, Mode>(detail::source_of(a), detail::source_of(b), what);
 }
 
 // Whether each is inside the other: inside[i] is overlaps(a[i], b[i]). As classify else.
-template <class A, class B>
+template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void overlaps(const A& a, const B& b, std::span<bool> inside) {
-    detail::decide_all<detail::batch_overlaps>(detail::source_of(a), detail::source_of(b), inside);
+    detail::decide_all<detail::batch_overlaps, Mode>(detail::source_of(a), detail::source_of(b), inside);
 }
 
 } // namespace batch

@@ -46,15 +46,15 @@ inline constexpr bool has_time_lanes = [] {
     }
 }();
 
-template <int Wider = compiled_register_bytes, class A, class B>
+template <class Mode, int Wider = compiled_register_bytes, class A, class B>
 void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scalar>> time, rounding mode) {
-    require_size(a, b, time.size());
-    const auto one = [&](std::size_t i) { of_pair(i, [&] { round_impact(a.at(i), b.at(i), mode, time[i]); }); };
+    require_size<Mode>(a, b, time.size());
+    const auto one = [&](std::size_t i) { of_pair<Mode>(i, [&] { round_impact(a.at(i), b.at(i), mode, time[i]); }); };
     if constexpr (has_time_lanes<A, B>) {
         for (std::size_t from = 0; from < time.size(); from += block_size) {
             const std::size_t count = std::min(block_size, time.size() - from);
             open_pairs left;
-            time_widest_lanes<Wider>(a, b, from, count, mode, time.data(), left);
+            time_widest_lanes<is_foreign<A> || is_foreign<B> ? 0 : Wider>(a, b, from, count, mode, time.data(), left);
             left.each([&](std::size_t k) { one(from + k); });
         }
     } else {
@@ -72,12 +72,12 @@ namespace batch {
 // time_of_impact(a[i], b[i]) rounded once, to nearest (ties to even) or, as its lower() and upper(), down or up; and
 // +infinity where they never touch. The numbers of `time` are of T; for balls of integers they are doubles. What is
 // given, thrown and written is as for classify.
-template <class A, class B>
+template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void time_of_impact(const A& a, const B& b,
                     std::span<detail::rounded_time_of<typename detail::source_for<A>::scalar>> time,
                     rounding mode = rounding::nearest) {
-    detail::time_all(detail::source_of(a), detail::source_of(b), time, mode);
+    detail::time_all<Mode>(detail::source_of(a), detail::source_of(b), time, mode);
 }
 
 } // namespace batch
