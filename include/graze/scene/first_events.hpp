@@ -66,9 +66,9 @@ template <int N, class T, class S>
 
 // An enclosure of the time at which they meet, as first_search asks for it.
 template <int N, class T>
-[[nodiscard]] enclosure bounds_of(const numbered_scene<N, T>& parts, body a, body b, double latest) {
+[[nodiscard]] enclosure bounds_of(const numbered_scene<N, T>& numbered, body a, body b, double latest) {
     enclosure found{enclosure::unknown, 0};
-    parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const meeting&, unsigned inner) {
+    numbered.with(a, b, [&](const ball<N, T>& x, const auto& y, const meeting&, unsigned inner) {
         if constexpr (std::is_same_v<decltype(y), const ball<N, T>&>) {
             found = bounds_until(flight<N, T>{x, T(0)}, flight<N, T>{y, T(0)}, latest);
         } else if (const auto t = time_outside(x, y, inner)) {
