@@ -5,6 +5,9 @@
 #include <graze/number/traits.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -50,6 +53,26 @@ class dyadic {
         return result;
     }
     [[nodiscard]] friend bool operator==(const dyadic& x, const dyadic& y) { return (x - y).sign() == 0; }
+
+    // The nearest T towards zero, if it is within T's normal numbers or 0; in any rounding mode.
+    template <std::floating_point T>
+    requires is_binary_input<T>
+    [[nodiscard]] T towards_zero() const noexcept {
+        if (digits_.empty()) {
+            return T(0);
+        }
+        std::uint64_t leading = 0; // from the highest bit on
+        const int top = end() - 1;
+        const int zeros = std::countl_zero(digit(top));
+        for (int i = 0; i < 3; ++i) {
+            const int shift = 32 - 32 * i + zeros;
+            const std::uint64_t bits = digit(top - i);
+            leading |= shift >= 0 ? bits << shift : bits >> -shift;
+        }
+        leading &= ~std::uint64_t{0} << (64 - std::numeric_limits<T>::digits);
+        const double value = std::ldexp(static_cast<double>(leading), 32 * top + 32 - zeros - 64);
+        return static_cast<T>(negative_ ? -value : value);
+    }
 
   private:
     dyadic(std::int64_t significand, int exponent) : negative_(significand < 0) {

@@ -1,6 +1,7 @@
 // How a run numbers what it is of.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace graze::inline v0_1::detail {
@@ -9,13 +10,26 @@ namespace graze::inline v0_1::detail {
 using body = std::uint32_t;
 inline constexpr body no_body = 0xffffffffU;
 
-// Body a, a ball, meets body b not before lower, unless one of the two has had another event since (counts).
+// Which image of a body, in whole periods along each axis from where it would be if nothing had ever been brought back
+// by a period. Zeros in a scene without periods.
+using image_index = std::array<std::int32_t, 3>;
+
+[[nodiscard]] constexpr image_index operator+(const image_index& x, const image_index& y) noexcept {
+    return {x[0] + y[0], x[1] + y[1], x[2] + y[2]};
+}
+[[nodiscard]] constexpr image_index operator-(const image_index& x, const image_index& y) noexcept {
+    return {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+}
+
+// Body a, a ball, meets that image of body b not before lower, unless one of the two has had another event since
+// (counts).
 struct foreseen {
     double lower;
     body a;
     body b;
     std::uint32_t count_a;
     std::uint32_t count_b;
+    image_index image{};
 };
 
 } // namespace graze::inline v0_1::detail

@@ -3,6 +3,8 @@
 
 #include <graze/linear/vec.hpp>
 #include <graze/scene/body.hpp>
+#include <graze/scene/box_walk.hpp>
+#include <graze/scene/cell_level.hpp>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace graze::inline v0_1::detail {
@@ -26,22 +29,24 @@ class centre_cells {
     centre_cells() = default;
     // Of so many points; cells are cut so that usual_reach is the largest on its level.
     centre_cells(std::size_t points, double usual_reach, const point& period)
-        : entries_(points), heads_(std::bit_ceil(2 * points + 16), no_body), base_(usual_reach), period_(period) {}
+        : entries_(points), heads_(std::bit_ceil(2 * points + 16), no_body), base_(usual_reach), period_(period) {
+        for (int i = 0; i < N; ++i) {
+            half_.component[i] = std::numeric_limits<double>::max();
+            if (period[i] > 0) {
+                is_periodic_ = true;
+                half_.component[i] = period[i] / 2;
+                shortest_ = std::min(shortest_, period[i]);
+                slack_ = std::max(slack_, 0x1p-40 * period[i]);
+            }
+        }
+    }
 
     // To be called before `enter` with this reach.
     void make_level(double reach) {
         const int power = power_of(reach);
         if (find(power) == levels_.size()) {
             std::erase_if(levels_, [](const level& l) { return l.count == 0; });
-            level l{power, {}, {}, 0, 0};
-            const double width = 2 * std::ldexp(base_, power);
-            for (int i = 0; i < N; ++i) {
-                const auto k = static_cast<std::size_t>(i);
-                const bool circle = period_[i] > 0;
-                l.around[k] = circle ? std::max<std::int64_t>(1, floor_of(std::min(period_[i] / width, 0x1p30))) : 0;
-                l.per_length.component[i] = circle ? static_cast<double>(l.around[k]) / period_[i] : 1 / width;
-            }
-            levels_.push_back(l);
+            levels_.emplace_back(power, 2 * std::ldexp(base_, power), period_);
         }
     }
     void enter(body a, const point& x, double reach) noexcept {
@@ -54,9 +59,9 @@ class centre_cells {
         ++l.count;
         cell c;
         for (int i = 0; i < N; ++i) {
-            c[static_cast<std::size_t>(i)] = wrapped(l, cell_along(l, x, i), i);
+            c[static_cast<std::size_t>(i)] = l.wrapped(l.along(x[i], i), i);
         }
-        e.key = key_of(l, c);
+        e.key = l.key_of(c);
         body& head = heads_[e.key & (heads_.size() - 1)];
         e.previous = no_body;
         e.next = head;
@@ -76,29 +81,22 @@ class centre_cells {
     }
     [[nodiscard]] const point& operator[](body a) const noexcept { return entries_[a].at; }
 
-    // f(b) for all points of which an image may be within `reach` and its own of x, but for those that certainly are
-    // not; seldom more than once.
+    // f(b, image) for all points' images that may be within `reach` and their own of x, but for those that certainly
+    // are not; seldom more than once. everyone: without cells.
     template <class F>
-    void around(const point& x, double reach, F f) const {
+    void around(const point& x, double reach, bool everyone, F f) const {
         for (const level& l : levels_) {
             if (l.count > 0) {
-                look(l, x, reach, f);
+                look(l, x, reach, everyone, f);
             }
         }
     }
 
   private:
     static constexpr int out = 1 << 20;
-    using cell = std::array<std::int64_t, N>;
+    using level = cell_level<N>;
+    using cell = typename level::cell;
 
-    // around: so many cells are a period. reach: the largest yet.
-    struct level {
-        int power;
-        point per_length;
-        cell around;
-        double reach;
-        std::size_t count;
-    };
     struct entry {
         point at{};
         double reach = 0;
@@ -126,93 +124,97 @@ class centre_cells {
         }
         return i;
     }
-    [[nodiscard]] static std::int64_t floor_of(double x) noexcept {
-        const auto whole = static_cast<std::int64_t>(std::clamp(x, -0x1p60, 0x1p60));
-        return whole - (static_cast<double>(whole) > x ? 1 : 0);
-    }
-    // Monotonic in x, however its product is rounded.
-    [[nodiscard]] static std::int64_t cell_along(const level& l, const point& x, int i) noexcept {
-        return floor_of(x[i] * l.per_length[i]);
-    }
-    [[nodiscard]] static std::int64_t wrapped(const level& l, std::int64_t along, int i) noexcept {
-        const std::int64_t n = l.around[static_cast<std::size_t>(i)];
-        if (n == 0) {
-            return along;
+    // f(b, image) for those of its images that may be near.
+    template <class F>
+    [[gnu::always_inline]] void offer(body b, const point& x, double own, F& f) const {
+        const entry& e = entries_[b];
+        const double far = (own + e.reach) * (1 + 0x1p-30) + slack_;
+        if (2 * far < shortest_) { // then no more than the nearest one, all points being within half a period of 0
+            image_index image{};
+            double square = 0;
+            for (int i = 0; i < N; ++i) {
+                double d = e.at[i] - x[i];
+                if (is_periodic_) {
+                    const int k = (d < -half_[i] ? 1 : 0) - (d > half_[i] ? 1 : 0);
+                    image[static_cast<std::size_t>(i)] = k;
+                    d += k * period_[i];
+                }
+                square += d * d;
+            }
+            if (!(square > far * far)) {
+                f(b, image);
+            }
+        } else {
+            offer_all(b, x, far, f);
         }
-        const std::int64_t rest = along % n;
-        return rest < 0 ? rest + n : rest;
-    }
-    // Cells side by side along the first axis have their lists side by side.
-    [[nodiscard]] static std::uint64_t key_of(const level& l, const cell& c) noexcept {
-        std::uint64_t key = static_cast<std::uint64_t>(c[0]) +
-                            static_cast<std::uint64_t>(l.power) * 0xd6e8feb86659fd93U +
-                            static_cast<std::uint64_t>(c[1]) * 0x9e3779b97f4a7c55U;
-        if constexpr (N == 3) {
-            key += static_cast<std::uint64_t>(c[2]) * 0xc2b2ae3d27d4eb4fU;
-        }
-        return key;
-    }
-    [[nodiscard, gnu::always_inline]] static bool is_near(const entry& e, const point& x, double reach) noexcept {
-        double square = 0;
-        for (int i = 0; i < N; ++i) {
-            const double d = e.at[i] - x[i];
-            square += d * d;
-        }
-        const double far = (reach + e.reach) * (1 + 0x1p-30);
-        return !(square > far * far);
     }
     template <class F>
-    void look(const level& l, const point& x, double own, F& f) const {
+    void offer_all(body b, const point& x, double far, F& f) const {
+        const entry& e = entries_[b];
+        image_index low{}, high{};
+        for (int i = 0; i < N; ++i) {
+            if (period_[i] > 0) {
+                const auto k = static_cast<std::size_t>(i);
+                low[k] = -static_cast<std::int32_t>(whole_below((e.at[i] - x[i] + far) / period_[i]));
+                high[k] = static_cast<std::int32_t>(whole_below((x[i] - e.at[i] + far) / period_[i]));
+            }
+        }
+        for_each_in_box(low, high, [&](const image_index& image) {
+            double square = 0;
+            for (int i = 0; i < N; ++i) {
+                const double d = e.at[i] - x[i] + image[static_cast<std::size_t>(i)] * period_[i];
+                square += d * d;
+            }
+            if (!(square > far * far)) {
+                f(b, image);
+            }
+        });
+    }
+    template <class F>
+    void look(const level& l, const point& x, double own, bool everyone, F& f) const {
         const double reach = 1.001 * (own + l.reach);
-        cell low, size, c{};
+        cell low, high;
         double cells = 1;
         for (int i = 0; i < N; ++i) {
             const auto k = static_cast<std::size_t>(i);
-            point from = x, to = x;
-            from.component[i] -= reach;
-            to.component[i] += reach;
-            low[k] = cell_along(l, from, i);
-            size[k] = cell_along(l, to, i) - low[k] + 1;
+            low[k] = l.along(x[i] - reach, i);
+            high[k] = l.along(x[i] + reach, i);
             if (l.around[k] != 0) {
-                size[k] = std::min(size[k], l.around[k]);
+                high[k] = std::min(high[k], low[k] + l.around[k] - 1);
             }
-            cells *= static_cast<double>(size[k]);
+            cells *= static_cast<double>(high[k] - low[k] + 1);
         }
-        if (!(cells < 2 * static_cast<double>(entries_.size()) + 64)) { // then the points are fewer
+        if (everyone || !(cells < 2 * static_cast<double>(entries_.size()) + 64)) { // then the points are fewer
             for (body b = 0; b < entries_.size(); ++b) {
-                if (entries_[b].power == l.power && is_near(entries_[b], x, own)) {
-                    f(b);
+                if (entries_[b].power == l.power) {
+                    offer(b, x, own, f);
                 }
             }
             return;
         }
-        while (true) {
+        for_each_in_box(low, high, [&](const cell& c) {
             cell at;
             for (int i = 0; i < N; ++i) {
                 const auto k = static_cast<std::size_t>(i);
-                at[k] = wrapped(l, low[k] + c[k], i);
+                at[k] = l.wrapped(c[k], i);
             }
-            const std::uint64_t key = key_of(l, at);
+            const std::uint64_t key = l.key_of(at);
             for (body b = heads_[key & (heads_.size() - 1)]; b != no_body; b = entries_[b].next) {
-                if (entries_[b].key == key && is_near(entries_[b], x, own)) {
-                    f(b);
+                if (entries_[b].key == key) {
+                    offer(b, x, own, f);
                 }
             }
-            std::size_t axis = 0;
-            while (axis < N && ++c[axis] == size[axis]) {
-                c[axis++] = 0;
-            }
-            if (axis == N) {
-                return;
-            }
-        }
+        });
     }
 
     std::vector<entry> entries_;
     std::vector<body> heads_; // of the cells' lists, some of which are of several cells; a power of two
     std::vector<level> levels_;
     double base_ = 1;
-    point period_{};
+    point period_{}, half_{};
+    double shortest_ = std::numeric_limits<double>::max(); // of the periods
+    double slack_ = 0; // more than whole periods and places within them are rounded by
+    bool is_periodic_ = false;
 };
 
 } // namespace graze::inline v0_1::detail

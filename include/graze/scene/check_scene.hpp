@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/pair/input_check.hpp>
+#include <graze/pair/pair.hpp>
 #include <graze/scene/scene.hpp>
 
 #include <string>
@@ -82,11 +83,58 @@ void check_parts(std::span<const Part> pieces, const char* kind) {
     }
 }
 
+// What is wrong with parts in a space that repeats itself after a length along an axis, or nullptr.
+template <int N, class T>
+[[nodiscard]] constexpr const char* fault_in_period(const ball<N, T>& b, const T& length, int) {
+    return b.radius < T(length - b.radius) ? nullptr : "diameter reaches the period";
+}
+template <int N, class T>
+[[nodiscard]] constexpr const char* fault_in_period(const plane<N, T>& p, const T&, int axis) {
+    return graze::sign(p.normal[axis]) == 0 ? nullptr : "normal has a component along a period";
+}
+// Of a wall or a triangle.
+template <class W, class T>
+requires requires(const W& w) { w.edge; }
+[[nodiscard]] constexpr const char* fault_in_period(const W& w, const T& length, int axis) {
+    T low(0), high(0);
+    for (const auto& e : w.edge) {
+        const T& x = e[axis];
+        if constexpr (is_triangle<W>) {
+            low = x < low ? x : low;
+            high = high < x ? x : high;
+        } else {
+            (graze::sign(x) < 0 ? low : high) = T((graze::sign(x) < 0 ? low : high) + x);
+        }
+    }
+    return length < T(high - low) ? "longer than the period" : nullptr;
+}
+template <class Part, class T>
+void check_parts_in_period(std::span<const Part> pieces, const char* kind, const T& length, int axis) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (const char* fault = fault_in_period(pieces[i], length, axis)) {
+            reject((kind + std::to_string(i)).c_str(), fault);
+        }
+    }
+}
+template <int N, class T>
+[[nodiscard]] constexpr bool is_periodic(const scene<N, T>& s) {
+    return !is_zero_vector(s.period);
+}
+
+// Throws std::domain_error where images would have to be looked at.
+template <int N, class T>
+void refuse_period(const scene<N, T>& s, const char* by) {
+    if (is_periodic(s)) {
+        reject("period", (std::string(by) + " knows none").c_str());
+    }
+}
+
 } // namespace detail
 
 // Throws std::domain_error that names the first part at fault ("ball 17: radius is negative"): a NaN or an infinity
-// anywhere but in a mass, a negative radius, a mass that is not positive, a zero normal, a zero edge,
-// or marks of inner edges that no triangle has.
+// anywhere but in a mass, a negative radius, a mass that is not positive, a zero normal, a zero edge, or marks of inner
+// edges that no triangle has; a negative period, and along one a ball as wide as it, a normal with a component, a
+// longer wall or triangle ("wall 2: longer than the period").
 template <int N, class T>
 void check(const scene<N, T>& s) {
     detail::check_parts(s.balls, "ball ");
@@ -100,6 +148,17 @@ void check(const scene<N, T>& s) {
     for (std::size_t i = 0; i < marks.size(); ++i) {
         if (marks[i] > 7) {
             detail::reject(("inner_edges of triangle " + std::to_string(i)).c_str(), "a triangle has three edges");
+        }
+    }
+    for (int i = 0; i < N; ++i) {
+        if (!detail::is_finite_number(s.period[i]) || graze::sign(s.period[i]) < 0) {
+            detail::reject("period", "not a finite number from 0 on");
+        }
+        if (graze::sign(s.period[i]) > 0) {
+            detail::check_parts_in_period(s.balls, "ball ", s.period[i], i);
+            detail::check_parts_in_period(s.planes, "plane ", s.period[i], i);
+            detail::check_parts_in_period(s.walls, "wall ", s.period[i], i);
+            detail::check_parts_in_period(detail::triangles_of(s), "triangle ", s.period[i], i);
         }
     }
 }

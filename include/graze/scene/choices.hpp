@@ -64,7 +64,7 @@ class due_balls {
     template <mechanics M>
     [[nodiscard]] static bool is_at(const moving_scene<M>& scene, const foreseen& f, const typename M::time& now) {
         try {
-            return scene.rules().order(*scene.meet(f.a, f.b), now) == 0;
+            return scene.rules().order(*scene.meet(f.a, f.b, f.image), now) == 0;
         } catch (graze::undecided& e) {
             e.between(scene.named(f.a, f.b));
             throw;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct due {
 };
 
 [[nodiscard]] constexpr bool is_of_same_bodies(const foreseen& x, const foreseen& y) noexcept {
-    return x.a == y.a && x.b == y.b;
+    return x.a == y.a && x.b == y.b && x.image == y.image;
 }
 
 // Sorts what may be the earliest by bodies, which is the canonical order, and drops what was foreseen twice.
@@ -30,7 +31,7 @@ void put_in_order(std::vector<due<Time>>& nearest) {
     }
     using event = due<Time>;
     std::sort(nearest.begin(), nearest.end(), [](const event& x, const event& y) {
-        return std::pair(x.what.a, x.what.b) < std::pair(y.what.a, y.what.b);
+        return std::tie(x.what.a, x.what.b, x.what.image) < std::tie(y.what.a, y.what.b, y.what.image);
     });
     const auto is_same = [](const event& x, const event& y) { return is_of_same_bodies(x.what, y.what); };
     nearest.erase(std::unique(nearest.begin(), nearest.end(), is_same), nearest.end());

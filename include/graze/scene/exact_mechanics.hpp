@@ -3,12 +3,15 @@
 
 #include <graze/contact/collide_balls.hpp>
 #include <graze/contact/collide_flights.hpp>
+#include <graze/contact/collide_images.hpp>
 #include <graze/exact/dyadic.hpp>
 #include <graze/predicate/signs_of_face.hpp>
 #include <graze/scene/mechanics.hpp>
+#include <graze/time/bounds_of_image.hpp>
 #include <graze/time/bounds_until.hpp>
 
 #include <limits>
+#include <stdexcept>
 
 namespace graze::inline v0_1 {
 
@@ -38,6 +41,41 @@ struct exact_mechanics {
     }
     [[nodiscard]] constexpr wall_encounter feature(const state& a, const triangle<T>& t) const requires(N == 3) {
         return classify_feature(a, t);
+    }
+
+    // In a space of periods. Throws std::range_error where a coordinate is too small beside a period for its distance
+    // from an image to be a difference of two T, or where the image of a wall is not at T's.
+    constexpr std::array<std::int32_t, 3> wrap(state& a, const vec<N, T>& period) const {
+        return bring_within(a.state.position, period);
+    }
+    [[nodiscard]] constexpr std::optional<time> meet(const state& a, const state& b,
+                                                     const image_shift<N, T>& image) const {
+        const detail::stand_ins<N, T> pair(a, b, image.periods, image.period);
+        return time_of_impact(pair.a, pair.b);
+    }
+    [[nodiscard]] time_bounds meet_until(const state& a, const state& b, const image_shift<N, T>& image,
+                                         double latest) const {
+        const detail::enclosure found = detail::bounds_of_image(a, b, image.periods, image.period, latest);
+        return {found.lower(), found.upper()};
+    }
+    constexpr void bounce(state& a, state& b, const image_shift<N, T>& image, const time&) const {
+        const contact<N, T> c = *detail::collide_image(a, b, image.periods, image.period);
+        leave(a, c.time, c.position_a, c.velocity_a);
+        leave(b, c.time, c.position_b, c.velocity_b);
+    }
+    // A wall or a triangle.
+    template <class W>
+    requires requires(const W& w) { w.edge; }
+    [[nodiscard]] W displaced(W w, const image_shift<N, T>& image) const {
+        for (int i = 0; i < N; ++i) {
+            const auto count = static_cast<T>(image.periods[static_cast<std::size_t>(i)]);
+            const T there = w.corner[i] + count * image.period[i];
+            if (!(dyadic(there) == dyadic(w.corner[i]) + dyadic(count) * dyadic(image.period[i]))) {
+                throw std::range_error("the image in another period is not at a number");
+            }
+            w.corner[i] = there;
+        }
+        return w;
     }
 
     [[nodiscard]] constexpr int order(const time& s, const time& t) const { return s.compare(t); }

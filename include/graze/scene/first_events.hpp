@@ -83,11 +83,12 @@ template <int N, class T>
 // The first of all meetings of balls with balls, planes, walls and triangles, by time_of_impact: exact for every finite
 // input. Pairs that are not near each other are looked at only while nothing is known to happen sooner. Two balls that
 // overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17: radius is negative")
-// as check does, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
+// as check does, for a scene that has a period, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
 template <int N, std::floating_point T>
 requires is_binary_input<T>
 [[nodiscard]] first_meetings<N, T> first_events(const scene<N, T>& s, simultaneous wanted = simultaneous::all) {
     check(s);
+    detail::refuse_period(s, "first_events");
     detail::earliest_meetings<N, T> earliest(wanted);
     const detail::numbered_scene<N, T> parts(s, detail::numbering::canonical);
     const auto bounds = [&](detail::body a, detail::body b, double latest) {

@@ -5,12 +5,15 @@
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/number/traits.hpp>
 #include <graze/scene/meeting.hpp>
+#include <graze/scene/period.hpp>
 #include <graze/shape/flight.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
+#include <array>
 #include <concepts>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -118,6 +121,23 @@ concept mechanics_of_triangles = M::dimension == 3 &&
                                  mechanics_of_standing<M, triangle<typename M::number>>&& requires(
                                      const M& m, const typename M::state& a, const triangle<typename M::number>& s) {
     { m.feature(a, s) } -> std::same_as<wall_encounter>;
+};
+
+// The questions of scenes that have a period. An image is that of the second ball, or of a wall. [image_shift]
+//   wrap       brings a ball's position to within half a period of 0 along each axis of period L > 0, or near it, and
+//              returns how many periods it has taken from it: so many and the position are what it was, exactly
+//   meet       when a meets b's image
+//   bounce     as for two balls, a with b's image; each stays where it is itself
+//   displaced  a wall's or a triangle's image
+template <class M>
+concept mechanics_of_periods = requires(const M& m, const typename M::state& a, typename M::state& changed,
+                                        const typename M::time& t, const vec<M::dimension, typename M::number>& period,
+                                        const image_shift<M::dimension, typename M::number>& image,
+                                        const wall<M::dimension, typename M::number>& w) {
+    { m.wrap(changed, period) } -> std::same_as<std::array<std::int32_t, 3>>;
+    { m.meet(a, a, image) } -> std::same_as<std::optional<typename M::time>>;
+    m.bounce(changed, changed, image, t);
+    { m.displaced(w, image) } -> std::same_as<wall<M::dimension, typename M::number>>;
 };
 
 } // namespace graze::inline v0_1

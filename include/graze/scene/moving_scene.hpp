@@ -1,11 +1,12 @@
 // The parts of a scene while a run changes them, and the questions about them.
 #pragma once
 
-#include <graze/scene/canonical_order.hpp>
 #include <graze/scene/check_scene.hpp>
-#include <graze/scene/mechanics.hpp>
-#include <graze/scene/mover.hpp>
+#include <graze/scene/image_ledger.hpp>
+#include <graze/scene/images.hpp>
+#include <graze/scene/numbered_balls.hpp>
 #include <graze/scene/points.hpp>
+#include <graze/scene/saying.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -24,34 +25,44 @@ class moving_scene {
     using time = typename M::time;
 
     moving_scene(const scene<dimension, number>& s, M m)
-        : mechanics_(std::move(m)), standing_((check(s), s), static_cast<body>(s.balls.size())),
-          ball_names_(canonical_order(s.balls)), counts_(s.balls.size()) {
-        movers_.reserve(ball_names_.size());
-        bool points = false;
-        for (const int i : ball_names_) {
-            mover<state> b{mechanics_.start(s.balls[static_cast<std::size_t>(i)])};
-            b.immovable = mechanics_.immovable(b.state);
-            b.point = !b.immovable && mechanics_.is_point(b.state);
-            points = points || b.point;
-            movers_.push_back(std::move(b));
+        : images_(std::move(m), (check(s), s.period), detail::is_periodic(s)),
+          standing_(s, static_cast<body>(s.balls.size())), balls_(s.balls, images_), counts_(s.balls.size()),
+          ledger_(is_periodic() ? s.balls.size() : 0),
+          points_(balls_.has_points() && bodies() > balls() ? balls() : 0) {
+        if (is_periodic() && !points_.empty() && !(s.walls.empty() && triangles_of(s).empty())) {
+            throw std::domain_error("period: points that meet walls have none");
         }
-        points_.resize(points && bodies() > balls() ? movers_.size() : 0);
     }
 
-    [[nodiscard]] const M& rules() const noexcept { return mechanics_; }
-    [[nodiscard]] body balls() const noexcept { return static_cast<body>(movers_.size()); }
+    [[nodiscard]] const M& rules() const noexcept { return images_.rules(); }
+    [[nodiscard]] bool is_periodic() const noexcept { return images_.is_periodic(); }
+    // Whether all balls fly alike and nothing stands, so that nothing ever happens but what is happening.
+    [[nodiscard]] bool moves_as_one() const {
+        return bodies() == balls() && std::all_of(balls_.movers.begin(), balls_.movers.end(), [&](const auto& b) {
+                   return order_of(b.state.state.velocity, balls_.movers.front().state.state.velocity) == 0;
+               });
+    }
+    // Whether it is met at several places.
+    [[nodiscard]] bool has_images(body b) const noexcept { return b < balls() || !standing_.is_plane(b); }
+    // In doubles.
+    [[nodiscard]] vec<dimension, double> period() const {
+        return is_periodic() ? standing_.in_doubles(rules(), images_.period()) : vec<dimension, double>{};
+    }
+    [[nodiscard]] body balls() const noexcept { return static_cast<body>(balls_.movers.size()); }
     [[nodiscard]] body bodies() const noexcept { return standing_.end(); }
-    [[nodiscard]] mover<state>& operator[](body a) noexcept { return movers_[a]; }
-    [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return movers_[a]; }
+    [[nodiscard]] mover<state>& operator[](body a) noexcept { return balls_.movers[a]; }
+    [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return balls_.movers[a]; }
     // Asks for a ball that will soon be looked at, without waiting for it.
     void fetch(body a) const noexcept {
-        __builtin_prefetch(&movers_[a]);
-        __builtin_prefetch(&movers_[a].last); // at the other end
+        __builtin_prefetch(&balls_.movers[a]);
+        __builtin_prefetch(&balls_.movers[a].last); // at the other end
     }
     // Of a ball's events; what was foreseen with another count is no longer true. An immovable ball's flight never
     // changes, nor does its count.
     [[nodiscard]] std::uint32_t count(body a) const noexcept { return counts_[a]; }
-    [[nodiscard]] int name(body a) const noexcept { return ball_names_[a]; }
+    // In a scene that has a period: so many of them it has gone back.
+    [[nodiscard]] image_index gone(body a) const noexcept { return ledger_.gone(a); }
+    [[nodiscard]] int name(body a) const noexcept { return balls_.names[a]; }
 
     // By the scene's own indices; of two balls the one first that comes first by its numbers.
     [[nodiscard]] meeting named(body a, body b) const noexcept {
@@ -64,70 +75,62 @@ class moving_scene {
 
     // Whether the two have just met: neither has had another event since, and both fly straight, so that they part.
     // What meets an immovable ball changes nothing for that ball; it meets what stands once.
-    [[nodiscard]] bool have_just_met(body a, body b) const noexcept {
-        if (b >= balls() && movers_[a].immovable) {
-            return std::find(passed_.begin(), passed_.end(), std::pair(a, b)) != passed_.end();
+    [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, const image_index& image = {}) const noexcept {
+        if (b >= balls() && balls_.movers[a].immovable) {
+            return std::find(passed_.begin(), passed_.end(), passage{a, b, image}) != passed_.end();
         }
-        const auto turned = [&](body x, body y) { return !movers_[x].immovable && movers_[x].last != y; };
-        return b < balls() ? (movers_[a].last == b || movers_[b].last == a) && !turned(a, b) && !turned(b, a)
-                           : movers_[a].last == b;
+        if (is_periodic() && has_images(b) &&
+            !(balls_.movers[a].last == b ? ledger_.last(a) == image
+                                         : b < balls() && ledger_.last(b) == image_index{} - image)) {
+            return false;
+        }
+        const auto turned = [&](body x, body y) { return !balls_.movers[x].immovable && balls_.movers[x].last != y; };
+        return b < balls()
+                   ? (balls_.movers[a].last == b || balls_.movers[b].last == a) && !turned(a, b) && !turned(b, a)
+                   : balls_.movers[a].last == b;
     }
 
-    // When a and b meet, a < b; empty if they don't.
-    [[nodiscard]] std::optional<time> meet(body a, body b) const {
-        try {
-            if (b < balls()) {
-                return mechanics_.meet(movers_[a].state, movers_[b].state);
-            }
-            if (is_watched(a)) {
-                return points_[a].meet(mechanics_, standing_, movers_[a].state, b);
-            }
-            return standing_.meet(mechanics_, movers_[a].state, b);
-        } catch (graze::undecided& e) {
-            e.between(named(a, b));
-            throw;
-        } catch (const std::domain_error& e) { // parallel edges, or what restate was given
-            throw std::domain_error(to_string(named(a, b)) + ": " + e.what());
-        }
+    // When a and that image of b meet, a < b; empty if they don't.
+    [[nodiscard]] std::optional<time> meet(body a, body b, const image_index& image = {}) const {
+        return saying_who(a, b, [&] {
+            const state& x = balls_.movers[a].state;
+            return b < balls()     ? images_.meet(x, balls_.movers[b].state, ledger_.periods(a, b, image))
+                   : is_watched(a) ? points_[a].meet(rules(), standing_, x, b)
+                                   : standing_.meet(images_, x, b, ledger_.periods(a, b, image));
+        });
     }
 
     // Around when a and b meet, a < b; from the largest double on if they don't, or if that is certainly later than
     // `latest` and the mechanics says so.
-    [[nodiscard, gnu::always_inline]] time_bounds meet_until(body a, body b, double latest) const {
-        if constexpr (requires { mechanics_.meet_until(movers_[a].state, movers_[b].state, latest); }) {
-            if (b < balls()) {
-                return mechanics_.meet_until(movers_[a].state, movers_[b].state, latest);
-            }
+    [[nodiscard, gnu::always_inline]] time_bounds meet_until(body a, body b, const image_index& image,
+                                                             double latest) const {
+        if (b < balls()) {
+            return images_.meet_until(balls_.movers[a].state, balls_.movers[b].state, ledger_.periods(a, b, image),
+                                      latest);
         }
-        const std::optional<time> when = meet(a, b);
+        const std::optional<time> when = meet(a, b, image);
         constexpr double never = std::numeric_limits<double>::max();
-        return when ? mechanics_.bounds(*when) : time_bounds{never, never};
+        return when ? rules().bounds(*when) : time_bounds{never, never};
     }
     // Where planes and walls are.
-    [[nodiscard]] std::vector<standing_extent<dimension>> extents() const { return standing_.extents(mechanics_); }
+    [[nodiscard]] std::vector<standing_extent<dimension>> extents() const { return standing_.extents(rules()); }
 
     // Which plane or wall a point meets first of those that it meets at exactly this time; no_body for a ball.
     [[nodiscard]] body first_standing(body a, const time& when) const {
-        return is_watched(a) ? points_[a].first_at(mechanics_, standing_, movers_[a].state, when) : no_body;
+        return is_watched(a) ? points_[a].first_at(rules(), standing_, balls_.movers[a].state, when) : no_body;
     }
 
     // Ball a's state, and b's if it is a ball, after they have met; alone: neither meets anything else at that time.
-    void bounce(body a, body b, const time& when, bool alone) {
-        try {
-            change(a, b, when, alone);
-        } catch (graze::undecided& e) {
-            e.between(named(a, b));
-            throw;
-        } catch (const std::overflow_error& e) {
-            throw std::overflow_error(to_string(named(a, b)) + ": " + e.what());
-        }
+    void bounce(body a, body b, const image_index& image, const time& when, bool alone) {
+        saying_who(a, b, [&] { change(a, b, image, when, alone); });
     }
 
     // Ball a stays where its last event was; it does not meet `presser` any more.
     void stop(body a, body presser) {
-        mover<state>& x = movers_[a];
+        mover<state>& x = balls_.movers[a];
         x.state.state.velocity = make_vec<dimension>([](int) { return number(0); });
         x.last = presser;
+        ledger_.meet(a, {});
         x.stopped = true;
         ++counts_[a];
     }
@@ -145,14 +148,17 @@ class moving_scene {
         std::uint32_t count;
         std::optional<point_among<M>> point;
         std::size_t passed;
+        image_ledger::entry image;
     };
     [[nodiscard]] memory remember(body a) const {
-        return {movers_[a], counts_[a], is_watched(a) ? std::optional(points_[a]) : std::nullopt, passed_.size()};
+        return {balls_.movers[a], counts_[a], is_watched(a) ? std::optional(points_[a]) : std::nullopt, passed_.size(),
+                ledger_.get(a)};
     }
     void restore(body a, memory& m) noexcept {
-        movers_[a] = std::move(m.ball);
+        balls_.movers[a] = std::move(m.ball);
         counts_[a] = m.count;
         passed_.resize(m.passed);
+        ledger_.set(a, m.image);
         if (m.point) {
             points_[a] = std::move(*m.point);
         }
@@ -161,61 +167,81 @@ class moving_scene {
     // Gives ball a another state. A point that is still on its way, but for rounding, keeps the sides on which it
     // belongs; elsewhere they would mean nothing.
     void restate(body a, state other) {
-        const flight<dimension, double> f = mechanics_.about(movers_[a].state), g = mechanics_.about(other);
+        const flight<dimension, double> f = rules().about(balls_.movers[a].state), g = rules().about(other);
         if (is_watched(a)) {
-            points_[a].restate(mechanics_, movers_[a].state, is_on_the_way(f, g));
+            points_[a].restate(rules(), balls_.movers[a].state, is_on_the_way(f, g));
         }
-        movers_[a].stopped = false;
-        const bool flies_on = movers_[a].immovable && is_same_flight(f, g);
-        movers_[a].state = std::move(other);
-        movers_[a].last = flies_on ? movers_[a].last : no_body;
+        balls_.movers[a].stopped = false;
+        const bool flies_on = balls_.movers[a].immovable && is_same_flight(f, g);
+        balls_.movers[a].state = std::move(other);
+        balls_.movers[a].last = flies_on ? balls_.movers[a].last : no_body;
         if (!flies_on) {
-            std::erase_if(passed_, [&](const auto& p) { return p.first == a; });
+            ledger_.set(a, {});
+            bring_back(a);
+            std::erase_if(passed_, [&](const auto& p) { return p.a == a; });
         }
     }
 
   private:
+    template <class F>
+    auto saying_who(body a, body b, F f) const {
+        return saying(f, [&] { return named(a, b); });
+    }
     // Whether a is a point that something standing may meet.
-    [[nodiscard]] bool is_watched(body a) const noexcept { return !points_.empty() && movers_[a].point; }
+    [[nodiscard]] bool is_watched(body a) const noexcept { return !points_.empty() && balls_.movers[a].point; }
 
-    void change(body a, body b, const time& when, bool alone) {
-        mover<state>& x = movers_[a];
+    void bring_back(body a) {
+        if (is_periodic() && !balls_.movers[a].immovable) {
+            ledger_.bring_back(a, images_.bring_back(balls_.movers[a].state));
+        }
+    }
+
+    void change(body a, body b, const image_index& image, const time& when, bool alone) {
+        mover<state>& x = balls_.movers[a];
         if (b < balls()) {
-            mover<state>& y = movers_[b];
+            mover<state>& y = balls_.movers[b];
             const std::optional<state> before_a = before_ball(a);
             const std::optional<state> before_b = before_ball(b);
-            mechanics_.bounce(x.state, y.state, when);
+            images_.bounce(x.state, y.state, ledger_.periods(a, b, image), when);
             note(a, before_a, when, alone);
             note(b, before_b, when, alone);
             y.last = a;
+            ledger_.meet(b, image_index{} - image);
+            bring_back(b);
             counts_[b] += y.immovable ? 0 : 1;
         } else if (is_watched(a)) {
-            points_[a].bounce(mechanics_, standing_, x.state, b, when, alone);
+            points_[a].bounce(rules(), standing_, x.state, b, when, alone);
         } else {
-            standing_.with(b, [&](const auto& s) { mechanics_.bounce(x.state, s, when); });
             if (x.immovable) {
-                passed_.emplace_back(a, b);
+                passed_.push_back({a, b, image});
             }
+            standing_.with(b, [&](const auto& s) {
+                images_.with_image(s, ledger_.periods(a, b, image),
+                                   [&](const auto& there) { rules().bounce(x.state, there, when); });
+            });
         }
         x.last = b;
+        ledger_.meet(a, image);
+        bring_back(a);
         counts_[a] += x.immovable ? 0 : 1;
     }
     [[nodiscard]] std::optional<state> before_ball(body a) const {
-        return is_watched(a) ? std::optional<state>(movers_[a].state) : std::nullopt;
+        return is_watched(a) ? std::optional<state>(balls_.movers[a].state) : std::nullopt;
     }
     void note(body a, const std::optional<state>& before, const time& when, bool alone) {
         if (before) {
-            points_[a].meet_ball(mechanics_, standing_, *before, movers_[a].state, movers_[a].last, when, alone);
+            points_[a].meet_ball(rules(), standing_, *before, balls_.movers[a].state, balls_.movers[a].last, when,
+                                 alone);
         }
     }
 
-    M mechanics_;
+    images<M> images_;
     standing_parts<M> standing_;
-    std::vector<int> ball_names_;
-    std::vector<mover<state>> movers_;
-    std::vector<std::uint32_t> counts_;         // beside one another, for they are asked of far more than flights are
-    std::vector<std::pair<body, body>> passed_; // immovable balls, and what stands that they have met
-    std::vector<point_among<M>> points_;        // if there are any and something that they can meet
+    numbered_balls<M> balls_;
+    std::vector<std::uint32_t> counts_; // beside one another, for they are asked of far more than flights are
+    image_ledger ledger_;
+    std::vector<passage> passed_;        // immovable balls, and what stands that they have met
+    std::vector<point_among<M>> points_; // if there are any and something that they can meet
 };
 
 } // namespace graze::inline v0_1::detail

@@ -12,8 +12,18 @@
 
 namespace graze::inline v0_1::detail {
 
-// A neighbour, in whole periods from where it is: packed, a byte for each axis.
+// Few whole periods along each axis, a byte for each.
 using image_code = std::uint32_t;
+
+inline constexpr std::int32_t most_periods = 100;
+[[nodiscard]] constexpr image_code coded(const image_index& x) noexcept {
+    return static_cast<image_code>(x[0] + 128) | static_cast<image_code>(x[1] + 128) << 8 |
+           static_cast<image_code>(x[2] + 128) << 16;
+}
+[[nodiscard]] constexpr image_index decoded(image_code x) noexcept {
+    return {static_cast<std::int32_t>(x & 255) - 128, static_cast<std::int32_t>(x >> 8 & 255) - 128,
+            static_cast<std::int32_t>(x >> 16 & 255) - 128};
+}
 
 // Lists of bodies, in one piece of memory. Balls that are in each other's lists are so both ways. image: which of a
 // body's images it is, where there are any. What changes lists neither allocates nor throws after make_room.
@@ -25,9 +35,10 @@ class neighbour_lists {
     [[nodiscard]] std::span<const body> of(body a) const noexcept {
         return {bodies_.data() + lists_[a].first, lists_[a].size};
     }
-    // Of the i-th in a's list.
-    [[nodiscard]] image_code image(body a, std::size_t i) const noexcept {
-        return with_images_ ? images_[lists_[a].first + i] : 0;
+    // Of each of them, where there are any.
+    [[nodiscard]] std::span<const image_code> images_of(body a) const noexcept {
+        return with_images_ ? std::span(images_.data() + lists_[a].first, lists_[a].size)
+                            : std::span<const image_code>();
     }
 
     void make_room(body a, std::size_t more) {

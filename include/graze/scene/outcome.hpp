@@ -30,8 +30,10 @@ enum class cells { where_useful, none };
 
 // time: every event up to the time asked for has been done. events: so many have been. exhausted: nothing more will
 // ever happen, so that a later time or a larger number of events cannot be reached by an event. stopped: the observer
-// said so. cascade: events follow each other without end while time stands still or all but does.
-enum class ending { time, events, exhausted, stopped, cascade };
+// said so. cascade: events follow each other without end while time stands still or all but does. idle: in a scene that
+// has a period, nothing has happened while each ball flew a thousand distances between balls and all together a
+// million, and it is not known whether anything will; advance goes on looking.
+enum class ending { time, events, exhausted, stopped, cascade, idle };
 
 [[nodiscard]] constexpr const char* to_string(ending e) noexcept {
     switch (e) {
@@ -45,6 +47,8 @@ enum class ending { time, events, exhausted, stopped, cascade };
         return "stopped";
     case ending::cascade:
         return "cascade";
+    case ending::idle:
+        return "idle";
     }
     return "unknown";
 }

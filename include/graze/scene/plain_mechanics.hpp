@@ -78,6 +78,29 @@ struct plain_mechanics {
         return {found.what, found.where, found.index};
     }
 
+    // In a space of periods: all in T.
+    constexpr std::array<std::int32_t, 3> wrap(state& a, const vec<N, T>& period) const {
+        return bring_within(a.state.position, period);
+    }
+    [[nodiscard]] constexpr std::optional<T> meet(const state& a, const state& b,
+                                                  const image_shift<N, T>& image) const {
+        return meet(a, displaced(b, image.distance()));
+    }
+    constexpr void bounce(state& a, state& b, const image_shift<N, T>& image, const T& when) const {
+        state other = displaced(b, image.distance());
+        bounce(a, other, when);
+        if (!immovable(b)) {
+            b = displaced(other, -image.distance());
+        }
+    }
+    // A wall or a triangle.
+    template <class W>
+    requires requires(const W& w) { w.edge; }
+    [[nodiscard]] constexpr W displaced(W w, const image_shift<N, T>& image) const {
+        w.corner = w.corner + image.distance();
+        return w;
+    }
+
     [[nodiscard]] constexpr int order(const T& s, const T& t) const { return s < t ? -1 : t < s ? 1 : 0; }
     // T itself where it is a double or less; otherwise widened by more than a conversion to double may round.
     [[nodiscard]] constexpr time_bounds bounds(const T& t) const {
@@ -148,6 +171,10 @@ struct plain_mechanics {
     }
 
   private:
+    [[nodiscard]] static constexpr state displaced(state a, const vec<N, T>& by) {
+        a.state.position = a.state.position + by;
+        return a;
+    }
     [[nodiscard]] static constexpr double as_double(const T& x) { return static_cast<double>(x); }
     [[nodiscard]] static constexpr T later(const state& a, const state& b) {
         return a.since < b.since ? b.since : a.since;

@@ -1,15 +1,14 @@
 // A scene's events one after the other: predict, take the earliest, let those who take part bounce, predict again.
 #pragma once
 
-#include <graze/scene/forecast.hpp>
-#include <graze/scene/jam.hpp>
 #include <graze/scene/outcome.hpp>
+#include <graze/scene/run_steps.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <sstream>
+#include <limits>
 #include <string>
 
 namespace graze::inline v0_1 {
@@ -55,13 +54,17 @@ class run {
         if (limits.time && graze::sign(*limits.time) == 0 && !detail::is_finite_number(*limits.time)) {
             throw std::domain_error("the time limit is not a number");
         }
+        constexpr double never = std::numeric_limits<double>::max();
+        const double until = limits.time ? std::min(never, detail::not_before<M>(rules(), *limits.time)) : never;
         outcome done{ending::events};
         const std::uint64_t patience =
             limits.cascade != 0 ? limits.cascade : 1000 + 100 * std::uint64_t{scene().balls()};
         while (done.events < limits.events) {
-            if (next_ == due_.size() && !take_earliest()) {
-                done.why = ending::exhausted;
-                return done;
+            if (next_ == due_.size()) {
+                if (const ending found = take_earliest(until); found != ending::events) {
+                    done.why = found;
+                    return done;
+                }
             }
             const detail::due<time>& d = due_[next_];
             if (scene().is_stale(d.what)) { // an event of the same time has changed one of the two
@@ -122,7 +125,7 @@ class run {
         run changed(*this);
         for (body a = 0; a < scene().balls(); ++a) {
             state other = f(scene().name(a), scene()[a].state);
-            if (const char* fault = fault_of_state(a, other)) {
+            if (const char* fault = detail::fault_of_state(scene(), a, other, detail::as_states_have<number>(now_))) {
                 throw std::domain_error("ball " + std::to_string(scene().name(a)) + ": " + fault);
             }
             if (!scene()[a].immovable) {
@@ -152,30 +155,6 @@ class run {
         }
     }
 
-    // Not after the time of the last event as a state has it, which may be rounded to a float.
-    [[nodiscard]] double now_of_states() const {
-        if constexpr (std::floating_point<number>) {
-            return std::min(now_, static_cast<double>(static_cast<number>(now_)));
-        } else {
-            return now_;
-        }
-    }
-
-    // What is wrong with another state of ball a, or nullptr, by its roundings to doubles. Those of two equal times
-    // differ by no more than 2^-49 of them.
-    [[nodiscard]] const char* fault_of_state(body a, const state& other) const {
-        const flight<dimension, double> was = scene().rules().about(scene()[a].state);
-        const flight<dimension, double> is = scene().rules().about(other);
-        return !detail::is_finite(is.state.position)   ? "position is not finite"
-               : !detail::is_finite(is.state.velocity) ? "velocity is not finite"
-               : !detail::is_finite_input(is.since)    ? "time is not finite"
-               : is.state.radius != was.state.radius   ? "radius is another one"
-               : is.state.mass != was.state.mass       ? "mass is another one"
-               : !scene()[a].immovable && is.since + std::fabs(is.since) * 0x1p-48 < now_of_states()
-                   ? "state is earlier than the last event"
-                   : nullptr;
-    }
-
     using bodies = std::array<body, 3>;
 
     // Which of the two that have just met is jammed, or no_body. Mirrors are not: nothing holds them.
@@ -184,51 +163,24 @@ class run {
         const bool second = b < scene().balls() && !scene()[b].immovable && jams_.note(b, a, now_, most);
         return first ? a : second ? b : detail::no_body;
     }
-    void name(const bodies& jam, outcome& done) const {
-        for (const body b : jam) {
-            if (b == detail::no_body) {
-                continue;
-            }
-            const participant part = scene().part(b);
-            if (std::find(done.jammed.begin(), done.jammed.end(), part) == done.jammed.end()) {
-                done.jammed.push_back(part);
-            }
-        }
-    }
     [[nodiscard]] outcome ended_by(const bodies& jam, outcome& done) const {
-        name(jam, done);
+        detail::name_jam(scene(), jam, done);
         done.why = ending::cascade;
         return std::move(done);
     }
     // Those of them that can stop, stop.
     void stop(const bodies& jam, outcome& done) {
         run changed(*this);
-        detail::moving_scene<M>& changing = changed.forecast_.scene();
-        const auto is_ball = [&](body b) { return b < scene().balls(); };
-        const auto mirror =
-            std::find_if(jam.begin(), jam.end(), [&](body b) { return is_ball(b) && scene()[b].immovable; });
-        for (const body b : jam) {
-            if (is_ball(b) && !scene()[b].immovable) {
-                changing.stop(b, mirror != jam.end() ? *mirror : detail::no_body);
-            }
-        }
-        changed.forecast_.forget();
-        for (const body b : jam) {
-            if (is_ball(b) && !scene()[b].immovable) {
-                changed.forecast_.foresee(b, now_);
-            }
-        }
-        changed.forecast_.accept();
+        detail::stop_jam(changed.forecast_, jam, now_);
         changed.still_ = 0;
-        name(jam, done);
+        detail::name_jam(scene(), jam, done);
         *this = std::move(changed);
     }
 
-    bool take_earliest() {
+    ending take_earliest(double until) {
         next_ = 0;
-        return forecast_.take_earliest(due_);
+        return forecast_.take_earliest(due_, until);
     }
-
     // Does the event due_[next_].
     template <class Observer>
     bool perform(Observer& observer) {
@@ -237,13 +189,13 @@ class run {
         const body b = d.what.b;
         const bool two = b < scene().balls();
         if (two && scene()[a].immovable && scene()[b].immovable) {
-            refuse(d);
+            detail::refuse_mirrors(scene(), d);
         }
         detail::moving_scene<M>& changing = forecast_.scene();
         auto before_a = changing.remember(a);
         auto before_b = changing.remember(two ? b : a);
         try {
-            changing.bounce(a, b, d.when, !d.chosen);
+            changing.bounce(a, b, d.what.image, d.when, !d.chosen);
             forecast_.forget();
             const double now = scene().rules().bounds(d.when).lower;
             if (!two || !changing[a].immovable) {
@@ -278,13 +230,6 @@ class run {
             return static_cast<bool>(observer(told));
         }
     }
-    [[noreturn]] void refuse(const detail::due<time>& d) const {
-        std::ostringstream message;
-        message << to_string(scene().named(d.what.a, d.what.b))
-                << ": both masses are infinite, and they meet at about t = " << scene().rules().bounds(d.when).lower;
-        throw std::domain_error(message.str());
-    }
-
     detail::forecast<M> forecast_;
     std::vector<body> place_; // of a ball, by the scene's index
     detail::jam_watch jams_;

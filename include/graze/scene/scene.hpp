@@ -13,11 +13,16 @@ namespace graze::inline v0_1 {
 
 // What moves and what stands, all given at t = 0, in one unit of length and one of time. Owns nothing: the spans must
 // stay valid while the scene is used. Every part may be empty.
+//
+// period: along an axis of which it is L > 0 the scene repeats itself for ever, every L; 0 is none. Each ball, wall and
+// triangle is given by one of its images, and a ball meets whoever's image it meets first. No ball may be as wide as a
+// period, no wall or triangle longer than one, and no normal of a plane may have a component along one.
 template <int N, class T = double>
 struct scene {
     std::span<const ball<N, T>> balls{};
     std::span<const plane<N, T>> planes{};
     std::span<const wall<N, T>> walls{};
+    vec<N, T> period = make_vec<N>([](int) { return T(0); });
 };
 
 // In space there are triangles too. inner_edges: empty, or for each triangle the sum of 2^k over its edges k along
@@ -30,6 +35,7 @@ struct scene<3, T> {
     std::span<const wall<3, T>> walls{};
     std::span<const triangle<T>> triangles{};
     std::span<const std::uint8_t> inner_edges{};
+    vec<3, T> period = make_vec<3>([](int) { return T(0); });
 };
 
 namespace detail {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
+#include <graze/scene/box_walk.hpp>
 #include <graze/scene/standing_extent.hpp>
 
 #include <algorithm>
@@ -82,6 +83,33 @@ class standing_cells {
         });
     }
 
+    // f(place, image) for each place from which walls_around finds the images that may be within `reach` of x; for x
+    // itself where there is no period.
+    template <class F>
+    void for_each_image(const point& x, double reach, const point& period, F f) const {
+        image_index low{}, high{};
+        for (int k = 0; k < N; ++k) {
+            const auto axis = static_cast<std::size_t>(k);
+            if (period[k] > 0 && !bounded_.empty()) {
+                double first = standing_extent<N>::endless, last = -first;
+                for (const body b : bounded_) {
+                    first = std::min(first, parts_[b].low[k]);
+                    last = std::max(last, parts_[b].high[k]);
+                }
+                const double wide = 1.001 * reach + 0x1p-40 * (period[k] + std::fabs(first) + std::fabs(last));
+                low[axis] = static_cast<std::int32_t>(std::ceil((x[k] - wide - last) / period[k]));
+                high[axis] = static_cast<std::int32_t>(std::floor((x[k] + wide - first) / period[k]));
+            }
+        }
+        for_each_in_box(low, high, [&](const image_index& image) {
+            point from = x;
+            for (int k = 0; k < N; ++k) {
+                from.component[k] -= image[static_cast<std::size_t>(k)] * period[k];
+            }
+            f(from, image);
+        });
+    }
+
   private:
     using place = std::array<std::size_t, N>;
 
@@ -106,23 +134,13 @@ class standing_cells {
     }
     template <class F>
     void for_each_cell(const place& low, const place& high, F f) const {
-        place c = low;
-        while (true) {
+        for_each_in_box(low, high, [&](const place& c) {
             std::size_t cell = 0;
             for (std::size_t k = 0; k < N; ++k) {
                 cell = cell * along_ + c[k];
             }
             f(c, cell);
-            std::size_t axis = 0;
-            while (axis < N && c[axis] == high[axis]) {
-                c[axis] = low[axis];
-                ++axis;
-            }
-            if (axis == N) {
-                return;
-            }
-            ++c[axis];
-        }
+        });
     }
     template <class F>
     void for_each_entry(F f) const {

@@ -5,6 +5,7 @@
 #include <graze/pair/pair.hpp>
 #include <graze/scene/body.hpp>
 #include <graze/scene/canonical_order.hpp>
+#include <graze/scene/images.hpp>
 #include <graze/scene/inner_edges.hpp>
 #include <graze/scene/mechanics.hpp>
 #include <graze/scene/meeting.hpp>
@@ -79,24 +80,31 @@ class standing_shapes {
         return i < walls_.size() ? meeting{partner::wall, ball, wall_names_[i]}
                                  : meeting{partner::triangle, ball, triangle_names_[i - walls_.size()]};
     }
-    // When x meets b; not at an inner edge.
-    [[nodiscard]] std::optional<typename M::time> meet(const M& m, const state& x, body b) const {
-        return with(b, [&](const auto& s) {
-            auto when = m.meet(x, s);
-            if constexpr (mechanics_of_triangles<M>) { // by itself: clang looks into what depends on s alone
-                if constexpr (is_triangle<std::remove_cvref_t<decltype(s)>>) {
+    [[nodiscard]] bool is_plane(body b) const noexcept { return b - first_ < planes_.size(); }
+    // When x meets b, or its image; not at an inner edge.
+    [[nodiscard]] std::optional<typename M::time> meet(const images<M>& all, const state& x, body b,
+                                                       const image_index& periods) const {
+        const auto& m = all.rules();
+        const auto when_at = [&](const auto& there) {
+            auto when = m.meet(x, there);
+            if constexpr (mechanics_of_triangles<M>) { // by itself: clang looks into what depends on the shape alone
+                if constexpr (is_triangle<std::remove_cvref_t<decltype(there)>>) {
                     if (when && !inner_edges_.empty()) {
                         const unsigned inner = inner_edges_[b - first_ - planes_.size() - walls_.size()];
-                        if (inner != 0 && is_inner(m.feature(x, s), inner)) {
+                        if (inner != 0 && is_inner(m.feature(x, there), inner)) {
                             when.reset();
                         }
                     }
                 }
             }
             return when;
-        });
+        };
+        return with(b, [&](const auto& s) { return all.with_image(s, periods, when_at); });
     }
 
+    [[nodiscard]] static vec<dimension, double> in_doubles(const M& m, const vec<dimension, number>& x) {
+        return m.about(m.start({x, x, number(0), number(1)})).state.position;
+    }
     // Where each of them is.
     [[nodiscard]] std::vector<standing_extent<dimension>> extents(const M& m) const {
         std::vector<standing_extent<dimension>> result;
@@ -140,9 +148,6 @@ class standing_shapes {
   private:
     using extent = standing_extent<dimension>;
 
-    [[nodiscard]] static vec<dimension, double> in_doubles(const M& m, const vec<dimension, number>& x) {
-        return m.about(m.start({x, x, number(0), number(1)})).state.position;
-    }
     [[nodiscard]] static extent extent_in_doubles(const M& m, const plane<dimension, number>& p) {
         return endless_extent(in_doubles(m, p.point), in_doubles(m, p.normal));
     }

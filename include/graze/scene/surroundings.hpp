@@ -20,8 +20,11 @@ class surroundings {
     surroundings() = default;
 
     // The balls as they fly at the time `now`. Without cells, everyone is offered to everyone.
-    surroundings(std::span<const flight<N, double>> balls, double now, standing_cells<N> standing, bool with_cells)
-        : standing_(std::move(standing)), lists_(static_cast<body>(balls.size()), false), shells_(balls.size()) {
+    // period: of space, along each axis; 0 where there is none. Where there is one, everyone has a shell.
+    surroundings(std::span<const flight<N, double>> balls, double now, standing_cells<N> standing, bool with_cells,
+                 const vec<N, double>& period = {})
+        : standing_(std::move(standing)), period_(period), shortest_(shortest(period)),
+          lists_(static_cast<body>(balls.size()), is_periodic()), shells_(balls.size()), with_cells_(with_cells) {
         everywhere_.reserve(balls.size());
         double largest = 0;
         for (const auto& b : balls) {
@@ -29,11 +32,11 @@ class surroundings {
         }
         const double spacing = std::max({spacing_of<N>(balls), largest / 4, 0x1p-390});
         least_ = spacing / 64;
-        cells_ = centre_cells<N>(balls.size(), 1.0625 * std::max(crowded * spacing, largest * 1.125), {});
+        cells_ = centre_cells<N>(balls.size(), 1.0625 * std::max(crowded * spacing, largest * 1.125), period);
         for (body a = 0; a < balls.size(); ++a) {
             const double r = balls[a].state.radius;
             shells_[a].radius = std::max(crowded * spacing - r, r / 8);
-            if (with_cells && look_around(a, balls[a], now)) {
+            if ((with_cells || is_periodic()) && look_around(a, balls[a], now)) {
                 make_room(a);
                 settle(a);
             } else {
@@ -43,52 +46,88 @@ class surroundings {
         }
     }
 
+    [[nodiscard]] bool is_periodic() const noexcept { return shortest_ < shell_end<N>::never; }
     [[nodiscard]] bool is_everywhere(body a) const noexcept { return shells_[a].everywhere; }
     [[nodiscard]] std::span<const body> everywhere() const noexcept { return everywhere_; }
     [[nodiscard]] std::span<const body> of(body a) const noexcept { return lists_.of(a); }
-    // Until when a ball in flight is in its shell.
-    [[nodiscard]] shell_end<N> end(body a, const flight<N, double>& f, double now) const noexcept {
-        return shells_[a].everywhere ? shell_end<N>{shell_end<N>::never, true}
-                                     : end_of_shell(f, now, cells_[a], shells_[a].radius);
+    // In a periodic space: of the i-th on a's list, or of those for its next shell, the image that may be near, counted
+    // as `foreseen` does if each ball has gone back by `periods` of it.
+    [[nodiscard]] image_index image(body a, std::size_t i) const noexcept {
+        const body b = lists_.of(a)[i];
+        return decoded(lists_.images_of(a)[i]) + shells_[a].place -
+               (b < shells_.size() ? shells_[b].place : image_index{});
+    }
+    [[nodiscard]] image_index fresh_image(std::size_t i) const noexcept {
+        const body b = fresh_[i];
+        return decoded(fresh_images_[i]) + next_.place - (b < shells_.size() ? shells_[b].place : image_index{});
+    }
+    // Until when a ball in flight, which has gone back by so many periods, is in its shell.
+    [[nodiscard]] shell_end<N> end(body a, const flight<N, double>& f, double now,
+                                   const image_index& gone = {}) const noexcept {
+        return shells_[a].everywhere
+                   ? shell_end<N>{shell_end<N>::never, true}
+                   : end_of_shell(f, now, from_flight(cells_[a], shells_[a].place - gone), shells_[a].radius);
     }
 
     // The neighbours that a has if its shell is where it flies at `now`, into fresh(). False if it can have no shell.
     // more: how much farther the shell has to reach than would do.
     // Where nothing has happened for so long that each ball has left some dozens of shells, it may be that nothing
     // will.
-    [[nodiscard]] bool look_around(body a, const flight<N, double>& f, double now, double more = 0) {
-        next_ = {f.state.radius, shells_[a].radius, false, true};
+    [[nodiscard]] bool look_around(body a, const flight<N, double>& f, double now, const image_index& gone = {},
+                                   double more = 0) {
+        next_ = {f.state.radius, shells_[a].radius, false, true, {}};
         if (shells_[a].is_there) {
             resize(next_, lists_.of(a).size());
         }
-        next_.radius += more;
-        centre_ = position_at(f.state.position, f.state.velocity, now - f.since);
-        if (idle_ > 32 * shells_.size() + 256 || !end_of_shell(f, now, centre_, next_.radius).known) {
+        next_.radius = std::min(next_.radius, shortest_) + more;
+        const vec<N, double> place = position_at(f.state.position, f.state.velocity, now - f.since);
+        image_index whole{};
+        centre_ = place;
+        for (int i = 0; i < N && is_periodic(); ++i) {
+            if (period_[i] > 0) {
+                const double periods = std::nearbyint(std::clamp(place[i] / period_[i], -0x1p30, 0x1p30));
+                whole[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(periods);
+                centre_.component[i] = place[i] - periods * period_[i];
+            }
+        }
+        next_.place = whole + gone;
+        centre_in_flight_ = from_flight(centre_, whole);
+        if ((!is_periodic() && idle_ > patience()) || !end_of_shell(f, now, centre_in_flight_, next_.radius).known ||
+            next_.radius > most_periods / 4 * shortest_) {
             return false;
         }
         fresh_.clear();
+        fresh_images_.clear();
         const double reach = next_.ball + next_.radius;
-        cells_.around(centre_, reach, [&](body b) {
+        cells_.around(centre_, reach, !with_cells_, [&](body b, const image_index& image) {
             if (b != a) {
                 fresh_.push_back(b);
+                add_image(image);
             }
         });
-        const auto add = [&](body b) { fresh_.push_back(b); };
-        standing_.planes_around(centre_, reach, add);
-        standing_.walls_around(centre_, reach, add);
+        const auto add = [&](const image_index& image) {
+            return [&, image](body b) {
+                fresh_.push_back(b);
+                add_image(image);
+            };
+        };
+        standing_.planes_around(centre_, reach, add({})); // of which no normal has a component along a period
+        standing_.for_each_image(centre_, reach, period_, [&](const vec<N, double>& from, const image_index& image) {
+            standing_.walls_around(from, reach, add(image));
+        });
         return true;
     }
     [[nodiscard]] std::span<const body> fresh() const noexcept { return fresh_; }
     // Until when it will be in that shell.
     [[nodiscard]] double fresh_end(const flight<N, double>& f, double now) const noexcept {
-        return end_of_shell(f, now, centre_, next_.radius).when;
+        return end_of_shell(f, now, centre_in_flight_, next_.radius).when;
     }
     // After it, settle neither allocates nor throws.
     void make_room(body a) {
         cells_.make_level(next_.ball + next_.radius);
         for (const body b : fresh_) {
             if (b < shells_.size()) {
-                lists_.make_room(b, 1);
+                lists_.make_room(b, is_periodic() ? fresh_.size() : 1); // several images of one
             }
         }
         lists_.make_room(a, fresh_.size());
@@ -100,15 +139,20 @@ class surroundings {
         }
         shells_[a] = next_;
         cells_.enter(a, centre_, next_.ball + next_.radius);
-        for (const body b : fresh_) {
-            lists_.add(a, b, 0);
+        for (std::size_t i = 0; i < fresh_.size(); ++i) {
+            const body b = fresh_[i];
+            const image_code image = is_periodic() ? fresh_images_[i] : 0;
+            lists_.add(a, b, image);
             if (b < shells_.size()) {
-                lists_.add(b, a, 0);
+                lists_.add(b, a, is_periodic() ? coded(image_index{} - decoded(image)) : 0);
             }
         }
     }
     // Something happens.
     void note_event() noexcept { idle_ = 0; }
+    // Whether nothing has happened for long, which is said from time to time; and for very long.
+    [[nodiscard]] bool has_idled() const noexcept { return idle_ % patience() == patience() - 1; }
+    [[nodiscard]] bool is_idle() const noexcept { return idle_ > 100'000 + 1000 * shells_.size(); }
     // From now on a is offered to everyone.
     void spread(body a) noexcept {
         retire(a);
@@ -126,8 +170,29 @@ class surroundings {
         double radius = 0; // the shell's
         bool everywhere = false;
         bool is_there = false;
+        image_index place{}; // of its centre in a path that is never brought back
     };
 
+    [[nodiscard]] static double shortest(const vec<N, double>& period) noexcept {
+        double least = shell_end<N>::never;
+        for (int i = 0; i < N; ++i) {
+            least = period[i] > 0 ? std::min(least, period[i]) : least;
+        }
+        return least;
+    }
+    [[nodiscard]] vec<N, double> from_flight(vec<N, double> centre, const image_index& periods) const noexcept {
+        for (int i = 0; i < N && is_periodic(); ++i) {
+            centre.component[i] += periods[static_cast<std::size_t>(i)] * period_[i];
+        }
+        return centre;
+    }
+    // In shells: some dozens of each ball.
+    [[nodiscard]] std::size_t patience() const noexcept { return 32 * shells_.size() + 256; }
+    void add_image(const image_index& image) {
+        if (is_periodic()) {
+            fresh_images_.push_back(coded(image));
+        }
+    }
     // Shells grow where there are few neighbours, and shrink where there are many.
     void resize(shell& s, std::size_t neighbours) const noexcept {
         if (neighbours < fewest) {
@@ -147,16 +212,20 @@ class surroundings {
     }
 
     standing_cells<N> standing_;
+    vec<N, double> period_{};
+    double shortest_ = shell_end<N>::never;
     centre_cells<N> cells_;
     neighbour_lists lists_;
     std::vector<shell> shells_;
     std::vector<body> everywhere_;
     double least_ = 0;     // to which a shell shrinks
     std::size_t idle_ = 0; // so many shells since something has happened
+    bool with_cells_ = false;
     // of the ball looked at last
     shell next_;
-    vec<N, double> centre_{};
+    vec<N, double> centre_{}, centre_in_flight_{};
     std::vector<body> fresh_;
+    std::vector<image_code> fresh_images_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -1,0 +1,77 @@
+// Two flights in place of a flight and another one's image, in a space of periods.
+#pragma once
+
+#include <graze/exact/dyadic.hpp>
+#include <graze/machine/environment.hpp>
+#include <graze/machine/error_free.hpp>
+#include <graze/shape/flight.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+
+namespace graze::inline v0_1::detail {
+
+// x - y - count length as a sum of two doubles, by error-free steps; empty where these don't do.
+[[nodiscard]] inline std::optional<std::array<double, 2>> quick_difference(double x, double y, std::int32_t count,
+                                                                           double length) noexcept {
+    if constexpr (has_error_free_doubles) {
+        if (count >= -2 && count <= 2 && rounds_to_nearest()) { // else the product may be rounded
+            const auto apart = two_difference(x, y);
+            const auto sum = two_difference(apart.value, count * length);
+            const auto rest = two_sum(apart.error, sum.error);
+            const auto high = two_sum(sum.value, rest.value);
+            const auto low = two_sum(high.error, rest.error);
+            if (low.error == 0) {
+                return std::array{high.value, low.value};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+// x - y - count length as a sum of two T; empty where it takes more.
+template <class T>
+[[nodiscard]] std::optional<std::array<T, 2>> difference_as_two(const T& x, const T& y, std::int32_t count,
+                                                                const T& length) {
+    if constexpr (std::is_same_v<T, double>) {
+        if (const auto quick = quick_difference(x, y, count, length)) {
+            return quick;
+        }
+    }
+    const dyadic sum = dyadic(x) - dyadic(y) - dyadic(static_cast<double>(count)) * dyadic(length);
+    const T high = sum.towards_zero<T>();
+    if (!is_finite_input(high)) {
+        return std::nullopt;
+    }
+    const dyadic rest = sum - dyadic(high);
+    const T low = rest.towards_zero<T>();
+    return rest == dyadic(low) ? std::optional(std::array{high, low}) : std::nullopt;
+}
+
+// Two flights that are at all times exactly as far from each other as a flight from another one's image, so many
+// periods away: they meet when and how those do, but elsewhere. Throws std::range_error where no two T have this
+// distance, since a coordinate is tiny beside the period.
+template <int N, class T>
+struct stand_ins {
+    flight<N, T> a, b;
+
+    stand_ins(const flight<N, T>& x, const flight<N, T>& y, const std::array<std::int32_t, 3>& periods,
+              const vec<N, T>& period)
+        : a(x), b(y) {
+        for (int i = 0; i < N; ++i) {
+            if (const std::int32_t count = periods[static_cast<std::size_t>(i)]; count != 0) {
+                const auto distance = difference_as_two(x.state.position[i], y.state.position[i], count, period[i]);
+                if (!distance) {
+                    throw std::range_error("a coordinate is too small beside the period for an exact distance");
+                }
+                a.state.position[i] = (*distance)[0];
+                b.state.position[i] = -(*distance)[1];
+            }
+        }
+    }
+};
+
+} // namespace graze::inline v0_1::detail

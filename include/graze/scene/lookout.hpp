@@ -1,0 +1,156 @@
+// What one ball of a run may do next.
+#pragma once
+
+#include <graze/scene/moving_scene.hpp>
+#include <graze/scene/surroundings.hpp>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace graze::inline v0_1::detail {
+
+// The ball meets that image of b not before lower; without b, it leaves its shell then. contested: it may meet another
+// one before it certainly meets b. upper: the latest for what it meets.
+struct plan {
+    double lower = std::numeric_limits<double>::max();
+    double upper = std::numeric_limits<double>::max();
+    body b = no_body;
+    image_index image{};
+    std::uint32_t count_b = 0;
+    bool contested = false;
+
+    [[nodiscard]] bool is_to_leave() const noexcept { return b == no_body; }
+};
+
+// A moving scene, and each ball's surroundings in it. A pair belongs to that ball of the two of which the flight or the
+// list changed last.
+template <mechanics M>
+class lookout {
+  public:
+    static constexpr int dimension = M::dimension;
+
+    lookout(moving_scene<M> scene, bool with_cells) : scene_(std::move(scene)), with_cells_(with_cells) {}
+
+    [[nodiscard]] moving_scene<M>& scene() noexcept { return scene_; }
+    [[nodiscard]] const moving_scene<M>& scene() const noexcept { return scene_; }
+
+  protected:
+    static constexpr double never = std::numeric_limits<double>::max();
+
+    // Lays out the surroundings anew; nothing will happen before `now`.
+    void look_out(double now) {
+        std::vector<flight<dimension, double>> flights;
+        flights.reserve(scene_.balls());
+        for (body a = 0; a < scene_.balls(); ++a) {
+            flights.push_back(about(a));
+        }
+        auto extents = scene_.extents();
+        for (body b = scene_.balls(); b < scene_.bodies(); ++b) {
+            if (scene_.is_periodic() && scene_.has_images(b) && !extents[b - scene_.balls()].is_bounded()) {
+                throw std::domain_error(to_string(scene_.part(b)) + ": too thin to say where its images are");
+            }
+        }
+        surroundings_ =
+            surroundings<dimension>(flights, now, {std::move(extents), scene_.balls()}, with_cells_, scene_.period());
+        changed_.resize(scene_.balls());
+        start_ = now;
+        for (clock_ = 0; clock_ < scene_.balls(); ++clock_) {
+            changed_[clock_] = clock_;
+        }
+    }
+    void note_change(body a) noexcept { changed_[a] = ++clock_; }
+
+    [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
+    [[nodiscard]] std::uint32_t count(body b) const noexcept { return b < scene_.balls() ? scene_.count(b) : 0; }
+
+    // Around when a and b meet; never, if they don't or it is certainly later than `latest`.
+    [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, const image_index& image, double latest) const {
+        constexpr time_bounds none{never, never};
+        if (scene_.have_just_met(a, b, image)) {
+            return none;
+        }
+        const time_bounds bounds =
+            b < a ? scene_.meet_until(b, a, image_index{} - image, latest) : scene_.meet_until(a, b, image, latest);
+        // not a number, or of mirrors, whose flights began before
+        return bounds.lower < never && !(bounds.upper < start_) ? bounds : none;
+    }
+    // f(b, image) for those whom a may meet in its shell and who belong to it: all of them, if it has changed.
+    // image_of(i): of the i-th on the list, in a scene that has a period.
+    template <class Image, class F>
+    void for_each_own(body a, std::span<const body> list, Image image_of, bool has_changed, F f) const {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const body b = list[i];
+            if (has_changed || b >= scene_.balls() || changed_[b] < changed_[a]) {
+                f(b, scene_.is_periodic() && scene_.has_images(b) ? image_of(i) : image_index{});
+            }
+        }
+        for (const body b : surroundings_.everywhere()) {
+            if (b != a && (has_changed || changed_[b] < changed_[a])) {
+                f(b, image_index{});
+            }
+        }
+    }
+    template <class F>
+    void for_each_other(body a, bool has_changed, F f) const {
+        for (body b = 0; b < scene_.bodies(); ++b) {
+            if (b != a && (has_changed || b >= scene_.balls() || changed_[b] < changed_[a])) {
+                f(b, image_index{});
+            }
+        }
+    }
+    template <class F>
+    void for_each_own(body a, bool has_changed, F f) const {
+        if (surroundings_.is_everywhere(a)) {
+            for_each_other(a, has_changed, f);
+        } else {
+            const auto image_of = [&](std::size_t i) { return surroundings_.image(a, i); };
+            for_each_own(a, surroundings_.of(a), image_of, has_changed, f);
+        }
+    }
+
+    // The earliest of a's own, as `each` passes them on, until it leaves its shell at `end`.
+    template <class Each>
+    [[nodiscard]] plan earliest_of(body a, double end, Each each) const {
+        plan p{never, end};
+        double second = never;
+        each([&](body b, const image_index& image) {
+            if (const time_bounds bounds = when(a, b, image, p.upper); bounds.lower < never) {
+                second = std::min(second, std::max(p.lower, bounds.lower));
+                if (bounds.lower < p.lower) {
+                    p.lower = bounds.lower;
+                    p.b = b;
+                    p.image = image;
+                }
+                p.upper = std::min(p.upper, bounds.upper);
+            }
+        });
+        if (p.upper < end || end == never) {
+            p.contested = second <= p.upper && second < never;
+            p.count_b = p.b < scene_.bodies() ? count(p.b) : 0;
+        } else {
+            p.lower = std::min(p.lower, end);
+            p.b = no_body;
+        }
+        return p;
+    }
+    [[nodiscard]] plan look(body a, double now, bool has_changed) const {
+        const shell_end<dimension> end = surroundings_.end(a, about(a), now, scene_.gone(a));
+        if (!end.known) { // it will have none
+            return {now, never};
+        }
+        return earliest_of(a, end.when, [&](auto f) { for_each_own(a, has_changed, f); });
+    }
+
+    moving_scene<M> scene_;
+    surroundings<dimension> surroundings_;
+
+  private:
+    std::vector<std::uint64_t> changed_; // when a ball's flight or list has changed, counted by clock_
+    std::uint64_t clock_ = 0;
+    bool with_cells_;
+    double start_ = 0; // of the predictions
+};
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,44 @@
+// The balls of a scene as a run starts with them.
+#pragma once
+
+#include <graze/scene/canonical_order.hpp>
+#include <graze/scene/images.hpp>
+#include <graze/scene/mover.hpp>
+#include <graze/scene/scene.hpp>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace graze::inline v0_1::detail {
+
+// In canonical order of what they are within half a period of 0, so that nothing depends on the periods in which they
+// were given. names: their indices in the scene.
+template <mechanics M>
+struct numbered_balls {
+    std::vector<int> names;
+    std::vector<mover<typename M::state>> movers;
+
+    numbered_balls(std::span<const ball<M::dimension, typename M::number>> balls, const images<M>& all) {
+        std::vector<ball<M::dimension, typename M::number>> starts;
+        std::vector<typename M::state> states;
+        for (const auto& b : balls) {
+            states.push_back(all.rules().start(b));
+            (void)all.bring_back(states.back());
+            starts.push_back(states.back().state);
+        }
+        names = canonical_order(std::span<const ball<M::dimension, typename M::number>>(starts));
+        movers.reserve(names.size());
+        for (const int i : names) {
+            mover<typename M::state> b{std::move(states[static_cast<std::size_t>(i)])};
+            b.immovable = all.rules().immovable(b.state);
+            b.point = !b.immovable && all.rules().is_point(b.state);
+            movers.push_back(std::move(b));
+        }
+    }
+    [[nodiscard]] bool has_points() const {
+        return std::any_of(movers.begin(), movers.end(), [](const auto& b) { return b.point; });
+    }
+};
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,97 @@
+// Steps of a run beside its events: other states, jams, what ends it.
+#pragma once
+
+#include <graze/scene/forecast.hpp>
+#include <graze/scene/jam.hpp>
+#include <graze/scene/outcome.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace graze::inline v0_1::detail {
+
+// Not after `now`, the time of an event, as a state has it, which may be rounded to a float.
+template <class T>
+[[nodiscard]] double as_states_have(double now) {
+    if constexpr (std::floating_point<T>) {
+        return std::min(now, static_cast<double>(static_cast<T>(now)));
+    } else {
+        return now;
+    }
+}
+
+// What is wrong with another state of ball a, or nullptr, by its roundings to doubles. Those of two equal times differ
+// by no more than 2^-49 of them.
+template <mechanics M>
+[[nodiscard]] const char* fault_of_state(const moving_scene<M>& scene, body a, const typename M::state& other,
+                                         double now) {
+    const flight<M::dimension, double> was = scene.rules().about(scene[a].state);
+    const flight<M::dimension, double> is = scene.rules().about(other);
+    return !is_finite(is.state.position)         ? "position is not finite"
+           : !is_finite(is.state.velocity)       ? "velocity is not finite"
+           : !is_finite_input(is.since)          ? "time is not finite"
+           : is.state.radius != was.state.radius ? "radius is another one"
+           : is.state.mass != was.state.mass     ? "mass is another one"
+           : !scene[a].immovable && is.since + std::fabs(is.since) * 0x1p-48 < now
+               ? "state is earlier than the last event"
+               : nullptr;
+}
+
+// A double that is not before a time.
+template <mechanics M>
+[[nodiscard]] double not_before(const M& rules, const typename M::number& instant) {
+    using number = typename M::number;
+    const auto all = make_vec<M::dimension>([&](int) { return instant; });
+    const double near = rules.about(rules.start({all, all, number(0), number(1)})).state.position[0];
+    return near + std::fabs(near) * 0x1p-49 + std::numeric_limits<double>::min();
+}
+
+// Throws std::domain_error for two mirrors that are due to meet.
+template <mechanics M>
+[[noreturn]] void refuse_mirrors(const moving_scene<M>& scene, const due<typename M::time>& d) {
+    std::ostringstream message;
+    message << to_string(scene.named(d.what.a, d.what.b))
+            << ": both masses are infinite, and they meet at about t = " << scene.rules().bounds(d.when).lower;
+    throw std::domain_error(message.str());
+}
+
+// Names those of a jam that have not been named.
+template <mechanics M>
+void name_jam(const moving_scene<M>& scene, const std::array<body, 3>& jam, outcome& done) {
+    for (const body b : jam) {
+        if (b == no_body) {
+            continue;
+        }
+        const participant part = scene.part(b);
+        if (std::find(done.jammed.begin(), done.jammed.end(), part) == done.jammed.end()) {
+            done.jammed.push_back(part);
+        }
+    }
+}
+
+// Those of a jam that can stop, stop.
+template <mechanics M>
+void stop_jam(forecast<M>& ahead, const std::array<body, 3>& jam, double now) {
+    moving_scene<M>& scene = ahead.scene();
+    const auto is_ball = [&](body b) { return b < scene.balls(); };
+    const auto mirror = std::find_if(jam.begin(), jam.end(), [&](body b) { return is_ball(b) && scene[b].immovable; });
+    for (const body b : jam) {
+        if (is_ball(b) && !scene[b].immovable) {
+            scene.stop(b, mirror != jam.end() ? *mirror : no_body);
+        }
+    }
+    ahead.forget();
+    for (const body b : jam) {
+        if (is_ball(b) && !scene[b].immovable) {
+            ahead.foresee(b, now);
+        }
+    }
+    ahead.accept();
+}
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,30 @@
+// Errors that say who met when they were thrown.
+#pragma once
+
+#include <graze/scene/mechanics.hpp>
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+namespace graze::inline v0_1::detail {
+
+// What f returns; what it throws says that it was about who(), a meeting.
+template <class F, class Who>
+auto saying(F f, Who who) {
+    const auto said = [&](const std::exception& e) { return to_string(who()) + ": " + e.what(); };
+    try {
+        return f();
+    } catch (graze::undecided& e) {
+        e.between(who());
+        throw;
+    } catch (const std::domain_error& e) { // parallel edges, or what restate was given
+        throw std::domain_error(said(e));
+    } catch (const std::overflow_error& e) {
+        throw std::overflow_error(said(e));
+    } catch (const std::range_error& e) { // of images
+        throw std::range_error(said(e));
+    }
+}
+
+} // namespace graze::inline v0_1::detail

@@ -1,0 +1,55 @@
+// Around when a flight meets an image of another one, in a space of periods.
+#pragma once
+
+#include <graze/pair/stand_in.hpp>
+#include <graze/time/bounds_until.hpp>
+
+#include <concepts>
+
+namespace graze::inline v0_1::detail {
+
+// Whether a and the image of b certainly don't meet until `latest`, by doubles alone.
+//
+// The image is where b is with the sum of its position and the periods, but for the roundings of product and sum: less
+// than 2^-51 of their magnitudes along each axis, so that it is inside a ball there that is wider by as much. Where
+// that one, which is outside at first, parts or is not reached until then, nothing is met.
+template <int N>
+[[nodiscard, gnu::flatten]] bool is_image_missed(const flight<N, double>& a, const flight<N, double>& b,
+                                                 const std::array<std::int32_t, 3>& periods,
+                                                 const vec<N, double>& period, double latest) {
+    using constant = filter_of<flight<N, double>>;
+    flight<N, double> wider = b;
+    double magnitudes = b.state.radius;
+    for (int i = 0; i < N; ++i) {
+        if (const std::int32_t count = periods[static_cast<std::size_t>(i)]; count != 0) {
+            const double by = count * period[i];
+            magnitudes += std::fabs(b.state.position[i]) + std::fabs(by);
+            wider.state.position.component[i] = b.state.position[i] + by;
+        }
+    }
+    wider.state.radius = b.state.radius + 0x1p-49 * magnitudes;
+    const auto f = start_filter(a, wider);
+    if (!f.in_range) {
+        return false;
+    }
+    if (f.is_parting()) {
+        return f.q.c > (constant::c + 0x1p-48) * f.length2;
+    }
+    return is_beyond(f, a, b, latest);
+}
+
+// As bounds_until has them. Throws std::range_error where the distance is no difference of two T. [stand_ins]
+template <int N, class T>
+[[nodiscard]] enclosure bounds_of_image(const flight<N, T>& a, const flight<N, T>& b,
+                                        const std::array<std::int32_t, 3>& periods, const vec<N, T>& period,
+                                        double latest) {
+    if constexpr (std::same_as<T, double>) {
+        if (is_image_missed(a, b, periods, period, latest)) {
+            return {enclosure::unknown, 0};
+        }
+    }
+    const stand_ins<N, T> pair(a, b, periods, period);
+    return bounds_until(pair.a, pair.b, latest);
+}
+
+} // namespace graze::inline v0_1::detail
