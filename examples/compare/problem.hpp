@@ -34,6 +34,9 @@ struct exact_scene {
     std::vector<graze::wall<N, exact>> walls;
     std::vector<graze::triangle<exact>> triangles = {}; // in space
     std::vector<std::uint8_t> inner_edges = {};         // of each triangle, as in graze::scene; runs alone use them
+    graze::vec<N, exact> period = {};                   // which runs heed, not pairs
+
+    [[nodiscard]] bool is_periodic() const { return graze::squared_norm(period) != 0; }
 };
 
 // One pair: a and, by kind, b, plane or wall; a triangle is the half of `wall` at its corner. group: the scene's name

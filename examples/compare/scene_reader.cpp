@@ -106,6 +106,15 @@ exact_scene<N> scene_from(const json_value& top) {
     if (top.has("triangles")) {
         add_triangles<N>(result, top.at("triangles"));
     }
+    if (top.has("period")) {
+        const json_value period = top.at("period");
+        result.period = period.template vector<N>();
+        for (int i = 0; i < N; ++i) {
+            if (result.period[i].sign() < 0) {
+                period.at(static_cast<std::size_t>(i)).fail("a negative period");
+            }
+        }
+    }
     if (result.planes.empty() && result.walls.empty() && result.triangles.empty()) {
         if (result.balls.size() == 1) {
             balls.fail("one ball and nothing that it could meet");
@@ -169,7 +178,8 @@ scene_file read_scene(const std::string& path, number_input numbers) {
 scene_file read_scene_text(std::string_view text, const std::string& file, number_input numbers) {
     const json_node root = parse_json(text, file);
     const json_value top(file, root, numbers == number_input::as_double);
-    top.expect_keys({"dimension", "balls"}, {"name", "description", "source", "planes", "walls", "triangles"});
+    top.expect_keys({"dimension", "balls"},
+                    {"name", "description", "source", "planes", "walls", "triangles", "period"});
     scene_file result;
     result.name = top.has("name") ? top.at("name").text() : std::filesystem::path(file).stem().string();
     result.description = top.has("description") ? top.at("description").text() : "";

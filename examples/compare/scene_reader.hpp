@@ -3,7 +3,8 @@
 //   {"dimension": 2, "name": "...", "description": "...", "source": "...",
 //    "balls":  [{"position": [x, y], "velocity": [x, y], "radius": r, "mass": m}],
 //    "planes": [{"point": [x, y], "normal": [x, y]}],
-//    "walls":  [{"corner": [x, y], "edges": [[x, y]]}]}
+//    "walls":  [{"corner": [x, y], "edges": [[x, y]]}],
+//    "period": [x, y]}
 //
 // dimension and balls are required; a ball's mass is 1 unless given, and may be "inf". In space vectors have three
 // components and a wall two edges. A number is a JSON number or a string that parse_exact reads.

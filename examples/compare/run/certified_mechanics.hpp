@@ -8,7 +8,11 @@
 #include <graze/solve.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <stdexcept>
 
 namespace compare::run {
 
@@ -75,6 +79,40 @@ class certified_mechanics {
     void bounce(state& a, const plane& p, const time& t) const { bounce_off(a, p, t); }
     void bounce(state& a, const wall& w, const time& t) const { bounce_off(a, w, t); }
 
+    // In a scene that has a period: an image is what is there itself, so many periods on.
+    std::array<std::int32_t, 3> wrap(state& a, const graze::vec<N, certified>& period) const {
+        std::array<std::int32_t, 3> gone{};
+        graze::vec<N, certified> by = graze::make_vec<N>([](int) { return certified(0); });
+        for (int i = 0; i < N; ++i) {
+            if (period[i].certain_sign() != 0) { // any whole number of periods near enough will do
+                const double periods = near_double(a.state.position[i]) / near_double(period[i]);
+                if (!(periods < 0x1p30 && periods > -0x1p30)) {
+                    throw std::range_error("a position is too many periods away");
+                }
+                gone[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::nearbyint(periods));
+                by[i] = certified(-gone[static_cast<std::size_t>(i)]) * period[i];
+            }
+        }
+        a = displaced(a, by);
+        return gone;
+    }
+    [[nodiscard]] std::optional<time> meet(const state& a, const state& b,
+                                           const graze::image_shift<N, certified>& image) const {
+        return meet(a, displaced(b, image.distance()));
+    }
+    void bounce(state& a, state& b, const graze::image_shift<N, certified>& image, const time& t) const {
+        const auto distance = image.distance();
+        state there = displaced(b, distance);
+        bounce(a, there, t);
+        if (!immovable(b)) {
+            b = displaced(there, -distance);
+        }
+    }
+    [[nodiscard]] wall displaced(wall w, const graze::image_shift<N, certified>& image) const {
+        w.corner = w.corner + image.distance();
+        return w;
+    }
+
     [[nodiscard]] int side(const state& a, const plane& p) const {
         return decided("on which side it is", a, [&] {
             return graze::sign(graze::plane_height{}(graze::relative_motion_of(exactly(a).state, p)));
@@ -133,6 +171,16 @@ class certified_mechanics {
             : t(larger(x.since, y.since)), a(m.ball_at(x, t)), b(m.ball_at(y, t)) {}
     };
 
+    // Moved by a distance; the very same where that is 0.
+    [[nodiscard]] static state displaced(const state& a, const graze::vec<N, certified>& by) {
+        if (std::all_of(by.component, by.component + N, [](const certified& c) { return c.certain_sign() == 0; })) {
+            return a;
+        }
+        state moved = exactly(a);
+        moved.state.position = moved.state.position + by;
+        shorten(moved);
+        return moved;
+    }
     static bool rests(const state& a) {
         const auto& u = a.state.velocity;
         return std::all_of(u.component, u.component + N, [](const certified& c) { return c.certain_sign() == 0; });

@@ -25,7 +25,7 @@ struct refuted_event : std::logic_error {
 // part by the laws (momentum, energy, nothing across the normal); and that on their ways to it neither had met anything
 // else. A true number that an enclosure leaves open throws graze::undecided, one that contradicts throws refuted_event.
 // By convention, and so not checked: the order of events that share a ball at one instant, and what becomes of a point
-// on a wall's border.
+// on a wall's border. Scenes that have a period are not checked.
 template <int N>
 class event_check {
   public:
@@ -55,6 +55,7 @@ class event_check {
     const owned_scene<N, certified>& scene_;
     std::vector<mover> movers_;
     double size_ = 0; // the largest coordinate
+    bool is_periodic_;
 
     [[nodiscard]] std::size_t standing() const { return scene_.planes.size() + scene_.walls.size(); }
     [[nodiscard]] graze::meeting named(int a, std::size_t standing) const;

@@ -15,7 +15,13 @@ struct owned_scene {
     std::vector<graze::ball<N, T>> balls;
     std::vector<graze::plane<N, T>> planes;
     std::vector<graze::wall<N, T>> walls;
-    [[nodiscard]] graze::scene<N, T> view() const { return {balls, planes, walls}; }
+    graze::vec<N, T> period = graze::make_vec<N>([](int) { return T(0); });
+
+    [[nodiscard]] graze::scene<N, T> view() const {
+        graze::scene<N, T> s{balls, planes, walls};
+        s.period = period;
+        return s;
+    }
 };
 
 // Every number by `convert`, an infinite mass by `infinity`.
@@ -25,6 +31,7 @@ template <class T, int N, class Convert>
         return graze::make_vec<N>([&](int i) -> T { return convert(x[i]); });
     };
     owned_scene<N, T> result;
+    result.period = vector_in(scene.period);
     for (const exact_ball<N>& b : scene.balls) {
         result.balls.push_back({vector_in(b.shape.position), vector_in(b.shape.velocity), convert(b.shape.radius),
                                 b.inverse_mass.is_zero() ? infinity : T(convert(b.shape.mass))});

@@ -43,12 +43,16 @@ double digits_left(const wide& error, const wide& size) {
 }
 
 template <int N>
-double digits_left(const graze::vec<N, wide>& found, const graze::vec<N, wide>& right, double size) {
+double digits_left(const graze::vec<N, wide>& found, const graze::vec<N, wide>& right, const true_sequence<N>& truth) {
     wide error = 0;
     for (int i = 0; i < N; ++i) {
-        error = std::max(error, wide(abs(found[i] - right[i])));
+        wide off = found[i] - right[i];
+        if (truth.period[i] > 0) {
+            off -= truth.period[i] * floor(wide(off / truth.period[i] + 0.5));
+        }
+        error = std::max(error, wide(abs(off)));
     }
-    return digits_left(error, wide(size));
+    return digits_left(error, wide(truth.size));
 }
 
 template <int N>
@@ -61,6 +65,7 @@ wide distance_from_origin(const graze::vec<N, wide>& x) {
 template <int N>
 true_sequence<N> sequence_of(const certified_result<N>& proved, const exact_scene<N>& scene) {
     true_sequence<N> result;
+    result.period = graze::make_vec<N>([&](int i) { return to_wide(scene.period[i]); });
     for (const certified_event<N>& e : proved.events) {
         result.steps.push_back({e.who, e.tied || e.either_order, place_of<N>(e.a), place_of<N>(e.b ? *e.b : e.a)});
     }
@@ -122,8 +127,7 @@ void judge<N>::event(graze::meeting who, double time, const place& a, const plac
     }
     taken_[step] = true;
     const true_step<N>& s = truth_.steps[step];
-    found_.digits.push_back(
-        a && b ? std::min(digits_left<N>(*a, s.a, truth_.size), digits_left<N>(*b, s.b, truth_.size)) : 0);
+    found_.digits.push_back(a && b ? std::min(digits_left<N>(*a, s.a, truth_), digits_left<N>(*b, s.b, truth_)) : 0);
 }
 
 template <int N>
@@ -140,7 +144,7 @@ void judge<N>::end(const std::vector<place>& balls) {
     }
     double digits = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        digits = std::min(digits, balls[i] ? digits_left<N>(*balls[i], truth_.end[i], truth_.size) : 0);
+        digits = std::min(digits, balls[i] ? digits_left<N>(*balls[i], truth_.end[i], truth_) : 0);
     }
     found_.end_digits = digits;
 }

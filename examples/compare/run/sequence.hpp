@@ -28,6 +28,7 @@ struct true_sequence {
     std::vector<graze::vec<N, wide>> end; // of each ball, if the run got to its end
     double size = 1;
     std::optional<std::size_t> distance_of; // the ball whose distance from the origin is what counts at the end
+    graze::vec<N, wide> period{};           // of the scene: places are alike that are whole periods apart
 };
 
 template <int N>
