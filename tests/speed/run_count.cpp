@@ -19,15 +19,17 @@ namespace {
 struct fluid {
     std::vector<graze::ball<3>> balls;
     std::vector<graze::plane<3>> planes;
+    graze::vec<3, double> period{};
 };
 
-// Balls of diameter 1 on a face-centred lattice of side^3 cells between six planes, of which they fill that part.
-fluid lattice(int side, double packing) {
+// Balls of diameter 1 on a face-centred lattice of side^3 cells between six planes, or in a periodic cube, of which
+// they fill that part.
+fluid lattice(int side, double packing, bool periodic) {
     std::mt19937_64 random(1);
     fluid f;
     const int count = 4 * side * side * side;
     const double length = std::cbrt(count * std::numbers::pi / 6 / packing);
-    const double spacing = (length - 1) / (2 * side - 1) * (1 - 0x1p-30);
+    const double spacing = periodic ? length / (2 * side) : (length - 1) / (2 * side - 1) * (1 - 0x1p-30);
     for (int i = 0; i < 8 * side * side * side; ++i) {
         const int site[3] = {i % (2 * side), i / (2 * side) % (2 * side), i / (4 * side * side)};
         if ((site[0] + site[1] + site[2]) % 2 == 0) {
@@ -41,6 +43,10 @@ fluid lattice(int side, double packing) {
         }
     }
     for (int axis = 0; axis < 3; ++axis) {
+        if (periodic) {
+            f.period.component[axis] = length;
+            continue;
+        }
         graze::plane<3> p{};
         p.normal[axis] = 1;
         f.planes.push_back(p);
@@ -52,20 +58,20 @@ fluid lattice(int side, double packing) {
 
 template <class M>
 void run(const fluid& f, std::uint64_t events) {
-    graze::run<M> run(graze::scene<3>{f.balls, f.planes, {}});
+    graze::run<M> run(graze::scene<3>{.balls = f.balls, .planes = f.planes, .period = f.period});
     const auto done = run.advance({.events = 10 * f.balls.size() + events});
     std::cout << done.events << " events, then " << to_string(done.why) << '\n';
 }
 
 } // namespace
 
-// graze-run-count packing events exact|plain
+// graze-run-count packing events exact|plain planes|periodic
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::cerr << "graze-run-count packing events exact|plain\n";
+    if (argc != 5) {
+        std::cerr << "graze-run-count packing events exact|plain planes|periodic\n";
         return 2;
     }
-    const fluid f = lattice(5, std::atof(argv[1]));
+    const fluid f = lattice(5, std::atof(argv[1]), std::string_view(argv[4]) == "periodic");
     const std::uint64_t events = std::strtoull(argv[2], nullptr, 10);
     if (std::string_view(argv[3]) == "plain") {
         run<graze::plain_mechanics<3, double>>(f, events);
