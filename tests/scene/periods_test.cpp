@@ -160,7 +160,7 @@ TEST_CASE("cells have no part, nor has the period in which a ball is given; posi
             }
         }
     }));
-    CHECK(events > 500);
+    CHECK(events > 100);
 }
 
 TEST_CASE("in exact numbers the run is that of copies, to the last digit") {
