@@ -84,14 +84,22 @@ template std::optional<impact_time<2, double>> time_of_flat_slowly(const ball<2,
                                                                    const flat_answer&);
 template std::optional<impact_time<3, double>> time_of_flat_slowly(const ball<3, double>&, const wall<3, double>&,
                                                                    const flat_answer&);
-template further_impact<ball<2, float>> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
-template further_impact<flight<2, float>> time_of_impact_further(const flight<2, float>&, const flight<2, float>&);
-template further_impact<ball<3, float>> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
-template further_impact<flight<3, float>> time_of_impact_further(const flight<3, float>&, const flight<3, float>&);
-template further_impact<ball<2, double>> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
-template further_impact<flight<2, double>> time_of_impact_further(const flight<2, double>&, const flight<2, double>&);
-template further_impact<ball<3, double>> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
-template further_impact<flight<3, double>> time_of_impact_further(const flight<3, double>&, const flight<3, double>&);
+template std::optional<impact_time<2, float>> time_of_impact_further(const ball<2, float>&, const ball<2, float>&,
+                                                                     stage&);
+template std::optional<impact_time<2, float>> time_of_impact_further(const flight<2, float>&, const flight<2, float>&,
+                                                                     stage&);
+template std::optional<impact_time<3, float>> time_of_impact_further(const ball<3, float>&, const ball<3, float>&,
+                                                                     stage&);
+template std::optional<impact_time<3, float>> time_of_impact_further(const flight<3, float>&, const flight<3, float>&,
+                                                                     stage&);
+template std::optional<impact_time<2, double>> time_of_impact_further(const ball<2, double>&, const ball<2, double>&,
+                                                                      stage&);
+template std::optional<impact_time<2, double>> time_of_impact_further(const flight<2, double>&,
+                                                                      const flight<2, double>&, stage&);
+template std::optional<impact_time<3, double>> time_of_impact_further(const ball<3, double>&, const ball<3, double>&,
+                                                                      stage&);
+template std::optional<impact_time<3, double>> time_of_impact_further(const flight<3, double>&,
+                                                                      const flight<3, double>&, stage&);
 template float round_further<float>(const event<2, float>&, rounding);
 template float round_further<float>(const event<3, float>&, rounding);
 template double round_further<double>(const event<2, double>&, rounding);

@@ -187,6 +187,51 @@ TEST_CASE("bounds hold where all coefficients cancel") {
     CHECK(s.meet > 1000);
 }
 
+// Lagrange's D of a motion in words whose centres pass each other at R (1 + gap), against rational numbers.
+template <int N>
+void look_at_discriminant(families::random& r, int& narrow) {
+    const auto unit = [&] { return std::ldexp(static_cast<double>(r.in(-(1LL << 52), 1LL << 52)), -52); };
+    const auto word = [&](double value) {
+        return graze::exact_pair<double>{value, r.one_in(3) ? 0.0 : 0x1p-54 * value * unit()};
+    };
+    const auto exact = [](const graze::exact_pair<double>& x) {
+        return mpq_class(mpq_class(x.value) + mpq_class(x.error));
+    };
+    graze::detail::motion_in_words<N> m;
+    const double R = 0.5 + std::fabs(unit()), way = std::ldexp(1 + unit(), static_cast<int>(r.in(0, 30)));
+    const double turn = 3 * unit(), gap = std::ldexp(unit(), -static_cast<int>(r.in(5, 50)));
+    const double u[2] = {std::cos(turn), std::sin(turn)};
+    m.R = word(R);
+    for (int i = 0; i < N; ++i) {
+        const double across = i == 0 ? -u[1] : i == 1 ? u[0] : 0;
+        m.du[i] = word(i < 2 ? u[i] : 0.0);
+        m.dx[i] = word(across * R * (1 + gap) - (i < 2 ? u[i] : 0.0) * way);
+    }
+    mpq_class speed2 = 0, cross2 = 0;
+    for (int i = 0; i < N; ++i) {
+        speed2 += exact(m.du[i]) * exact(m.du[i]);
+        for (int j = 0; j < i; ++j) {
+            const mpq_class cross = exact(m.dx[i]) * exact(m.du[j]) - exact(m.dx[j]) * exact(m.du[i]);
+            cross2 += cross * cross;
+        }
+    }
+    const mpq_class truth = exact(m.R) * exact(m.R) * speed2 - cross2;
+    const graze::detail::sharp_discriminant<N> task{&m};
+    for (const auto& d : {task(std::true_type{}), task(std::false_type{})}) {
+        CHECK(abs(exact(d.value) - truth) <= mpq_class(d.error));
+        narrow += d.error < 0x1p-80 * std::fabs(d.value.value) ? 1 : 0;
+    }
+}
+TEST_CASE("D of near-grazes is right to three times a double's precision") {
+    families::random r(3, 1);
+    int narrow = 0;
+    for (int i = 0; i < 500; ++i) {
+        look_at_discriminant<2>(r, narrow);
+        look_at_discriminant<3>(r, narrow);
+    }
+    CHECK(narrow > 1500); // of 2000: where the balls come from 2^30 away, less is left
+}
+
 TEST_CASE("the widest stage of a time and of a contact") {
     using graze::stage;
     const auto at = [](double x, double y, double u, double unit = 1) {

@@ -48,11 +48,15 @@ template <class V>
 requires number<V>
 [[nodiscard]] constexpr term_size size_of(const V& x) noexcept { return term_size(leading_double(x)); }
 template <int N, class V>
-[[nodiscard]] constexpr auto size_of(const vec<N, V>& x) noexcept {
-    return make_vec<N>([&](int i) { return size_of(x[i]); });
+[[nodiscard, gnu::always_inline]] constexpr inline vec<N, term_size> size_of(const vec<N, V>& x) noexcept {
+    if constexpr (N == 2) {
+        return {{size_of(x[0]), size_of(x[1])}};
+    } else {
+        return {{size_of(x[0]), size_of(x[1]), size_of(x[2])}};
+    }
 }
 template <int N, class V>
-[[nodiscard]] constexpr auto size_of(const relative_motion<N, V, V, V>& m) noexcept {
+[[nodiscard, gnu::always_inline]] constexpr inline auto size_of(const relative_motion<N, V, V, V>& m) noexcept {
     return relative_motion{size_of(m.dx), size_of(m.du), size_of(m.R)};
 }
 

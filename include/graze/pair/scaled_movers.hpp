@@ -6,6 +6,7 @@
 #include <graze/machine/environment.hpp>
 #include <graze/machine/fence.hpp>
 #include <graze/pair/moving.hpp>
+#include <graze/pair/rounded_motion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,36 @@ template <int N>
 [[nodiscard]] inline int scale_of(double largest) noexcept {
     return std::clamp(1023 - static_cast<int>(bits_of(largest) >> 52), -1022, 1023);
 }
+
+// The relative motion of two balls alone, so scaled that its largest length and velocity are within [2^-52, 2): not
+// known when one is infinite.
+template <int N>
+struct scaled_motion {
+    relative_motion<N, double, double, double> motion;
+    double by_length, by_velocity; // what they are multiplied with
+    int length, velocity;          // as scaled_movers
+    bool known, safe;
+
+    [[gnu::always_inline]] scaled_motion(const ball<N, double>& a, const ball<N, double>& b) noexcept
+        : motion(rounded_motion(a, b)) {
+        double largest_length = std::fabs(motion.R), largest_velocity = std::fabs(motion.du[0]);
+        for (int i = 0; i < N; ++i) {
+            largest_length = std::max(largest_length, std::fabs(motion.dx[i]));
+            largest_velocity = std::max(largest_velocity, std::fabs(motion.du[i]));
+        }
+        length = -scale_of(largest_length);
+        velocity = -scale_of(largest_velocity);
+        by_length = power_of_two(-length);
+        by_velocity = power_of_two(-velocity);
+        known = std::max(largest_length, largest_velocity) <= std::numeric_limits<double>::max();
+        safe = std::min(largest_length, largest_velocity) > 0x1p-900;
+        for (int i = 0; i < N; ++i) {
+            motion.dx[i] = as_stored(motion.dx[i] * by_length);
+            motion.du[i] = as_stored(motion.du[i] * by_velocity);
+        }
+        motion.R = as_stored(motion.R * by_length);
+    }
+};
 
 // By one power of two for all lengths and one for all velocities, chosen from the largest, which gives instants theirs;
 // of the others what is below 2^-1074 of that is lost. Not known when one is infinite.

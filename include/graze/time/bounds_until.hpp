@@ -42,7 +42,8 @@ template <int N, class T>
             return none;
         }
     }
-    const auto further = time_of_impact_further(a, b).time;
+    stage unused{};
+    const auto further = time_of_impact_further(a, b, unused);
     return further ? further->enclosure() : none;
 }
 

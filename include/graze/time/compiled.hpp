@@ -69,18 +69,22 @@ extern template std::optional<impact_time<2, double>> time_of_flat_slowly(const 
                                                                           const wall<2, double>&, const flat_answer&);
 extern template std::optional<impact_time<3, double>> time_of_flat_slowly(const ball<3, double>&,
                                                                           const wall<3, double>&, const flat_answer&);
-extern template further_impact<ball<2, float>> time_of_impact_further(const ball<2, float>&, const ball<2, float>&);
-extern template further_impact<flight<2, float>> time_of_impact_further(const flight<2, float>&,
-                                                                        const flight<2, float>&);
-extern template further_impact<ball<3, float>> time_of_impact_further(const ball<3, float>&, const ball<3, float>&);
-extern template further_impact<flight<3, float>> time_of_impact_further(const flight<3, float>&,
-                                                                        const flight<3, float>&);
-extern template further_impact<ball<2, double>> time_of_impact_further(const ball<2, double>&, const ball<2, double>&);
-extern template further_impact<flight<2, double>> time_of_impact_further(const flight<2, double>&,
-                                                                         const flight<2, double>&);
-extern template further_impact<ball<3, double>> time_of_impact_further(const ball<3, double>&, const ball<3, double>&);
-extern template further_impact<flight<3, double>> time_of_impact_further(const flight<3, double>&,
-                                                                         const flight<3, double>&);
+extern template std::optional<impact_time<2, float>> time_of_impact_further(const ball<2, float>&,
+                                                                            const ball<2, float>&, stage&);
+extern template std::optional<impact_time<2, float>> time_of_impact_further(const flight<2, float>&,
+                                                                            const flight<2, float>&, stage&);
+extern template std::optional<impact_time<3, float>> time_of_impact_further(const ball<3, float>&,
+                                                                            const ball<3, float>&, stage&);
+extern template std::optional<impact_time<3, float>> time_of_impact_further(const flight<3, float>&,
+                                                                            const flight<3, float>&, stage&);
+extern template std::optional<impact_time<2, double>> time_of_impact_further(const ball<2, double>&,
+                                                                             const ball<2, double>&, stage&);
+extern template std::optional<impact_time<2, double>> time_of_impact_further(const flight<2, double>&,
+                                                                             const flight<2, double>&, stage&);
+extern template std::optional<impact_time<3, double>> time_of_impact_further(const ball<3, double>&,
+                                                                             const ball<3, double>&, stage&);
+extern template std::optional<impact_time<3, double>> time_of_impact_further(const flight<3, double>&,
+                                                                             const flight<3, double>&, stage&);
 extern template float round_further<float>(const event<2, float>&, rounding);
 extern template float round_further<float>(const event<3, float>&, rounding);
 extern template double round_further<double>(const event<2, double>&, rounding);

@@ -49,13 +49,13 @@ struct event {
     event_kind kind;
     std::int8_t index;
     bool overlap;
-    bool timed;           // whether it is of flights, and has epochs
-    bool nearest = false; // whether the enclosure of the time is around the number that it is rounded to
+    bool timed;   // whether it is of flights, and has epochs
+    bool nearest; // whether the enclosure of the time is around the number that it is rounded to
 
     // x: a ball or a flight; y: another one, or what stands still.
     template <class P, class X, class Y>
-    constexpr event(P, const X& x, const Y& y, event_kind what, int which, bool inside) noexcept
-        : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside), timed(is_flight<X>) {
+    constexpr event(P, const X& x, const Y& y, event_kind what, int which, bool inside, bool known = false) noexcept
+        : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside), timed(is_flight<X>), nearest(known) {
         P::pack(row.data(), state_of(x), state_of(y));
         std::fill(row.begin() + numbers<P>, row.end(), T(0));
         if constexpr (is_flight<X>) {

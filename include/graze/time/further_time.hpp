@@ -20,6 +20,7 @@ struct further_time {
     bounded<double> time{};
     int unit = 0;
     enclosure bounds{};
+    bool in_range = true; // of double words
 };
 
 template <int N>
@@ -33,6 +34,7 @@ struct approach_in_words {
         r.what = w.what;
         r.decided_by = stage::double_word;
         r.good = w.good;
+        r.in_range = w.in_range;
         r.time = on_clock_of(*a, *b, {w.time.high, w.time.low, (1 + 0x1p-40) * w.time_error});
         return r;
     }
@@ -61,28 +63,89 @@ template <moving B>
         });
 }
 
-// Of scaled movers of which the filter is certain.
+// What the filter is certain of; of a hit with the time by one step, made by `step_near` a time. False if that is not
+// close enough.
+template <class F>
+[[nodiscard, gnu::always_inline]] inline bool step_time(further_time& r, const filtered_balls& filtered,
+                                                        F step_near) noexcept {
+    r.what = static_cast<int>(filtered.what());
+    r.decided_by = stage::filter;
+    if (filtered.what() != encounter::hit) {
+        return true;
+    }
+    const auto found =
+        with_best_products(step_near(root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant))));
+    r.good = found.good;
+    r.time = found.time;
+    return found.good;
+}
+// Of movers in range of which the filter is certain.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool filter_time(further_time& r, const B& a, const B& b) noexcept {
     const auto filtered = start_filter(a, b).finish();
-    if (!filtered.certain) {
-        return false;
-    }
-    r.what = static_cast<int>(filtered.what());
-    r.decided_by = stage::filter;
-    if (filtered.what() == encounter::hit) {
-        const double near = root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant));
-        const auto found = with_best_products(time_by_doubles<B>{&a, &b, near});
-        r.good = found.good;
-        r.time = found.time;
-        return found.good;
-    }
-    return true;
+    return filtered.certain && step_time(
+                                   r, filtered, [&](double near) __attribute__((always_inline)) {
+                                       return time_by_doubles<B>{&a, &b, near};
+                                   });
+}
+// Of balls whose units are odd.
+template <int N>
+[[nodiscard, gnu::always_inline]] inline bool filter_scaled_time(further_time& r, const ball<N, double>& a,
+                                                                 const ball<N, double>& b) noexcept {
+    const scaled_motion s(a, b);
+    const auto filtered = filter_scaled(s);
+    r.unit = s.length - s.velocity;
+    return filtered.certain && step_time(
+                                   r, filtered, [&](double near) __attribute__((always_inline)) {
+                                       return time_of_scaled<N>{&a, &b, s.by_length, s.by_velocity, near};
+                                   });
+}
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline further_time words_time(const B& a, const B& b) noexcept {
+    const auto& x = as_flight(a);
+    const auto& y = as_flight(b);
+    return with_best_products(approach_in_words<dimension_of<B>>{&x, &y});
 }
 
 // What has been tried before: the filter alone, or a step from an enclosure's time as well; `time`: of movers that hit,
 // of which only the time is asked.
 enum class tried { filter, step, time };
+
+// By steps and words, scaled where that is needed, to nearest.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline further_time time_by_words(const B& a, const B& b, bool is_usual,
+                                                                    tried before) noexcept {
+    further_time r;
+    if (is_usual) {
+        if constexpr (is_flight<B>) {
+            if (before == tried::time && filter_time(r, a, b)) {
+                return r;
+            }
+        }
+        r = words_time(a, b);
+        if (r.in_range) {
+            return r;
+        }
+    }
+    if constexpr (!is_flight<B>) {
+        if (filter_scaled_time(r, a, b)) {
+            return r;
+        }
+    }
+    const scaled_movers<B> s = scaled(a, b);
+    if (!s.known) {
+        return {};
+    }
+    if constexpr (is_flight<B>) {
+        if (filter_time(r, s.a, s.b)) {
+            r.unit = s.length - s.velocity;
+            return r;
+        }
+    }
+    r = words_time(s.a, s.b);
+    r.unit = s.length - s.velocity;
+    return r;
+}
 
 // Of movers whose radii are not negative.
 template <moving B>
@@ -90,37 +153,20 @@ template <moving B>
     if constexpr (std::same_as<number_in<B>, float>) {
         return keeps_subnormals() ? find_further_time(in_doubles(a), in_doubles(b), before) : further_time{};
     } else {
-        further_time r;
-        const bool is_usual = has_usual_size(a, b) && refine_time(r, a, b);
-        const bool is_hit = r.what == static_cast<int>(encounter::hit);
-        if (before == tried::filter && is_usual && r.what != undecided && (!is_hit || r.bounds.is_known())) {
-            return r;
-        }
-        r = {};
-        if constexpr (has_error_free_doubles) {
-            scaled_movers<B> s;
-            const B* x = &a;
-            const B* y = &b;
-            if (!rounds_to_nearest()) {
+        const bool is_usual = has_usual_size(a, b);
+        if (before == tried::filter && is_usual) {
+            further_time r;
+            if (refine_time(r, a, b) && r.what != undecided &&
+                (r.what != static_cast<int>(encounter::hit) || r.bounds.is_known())) {
                 return r;
             }
-            if (!is_usual) {
-                s = scaled(a, b);
-                if (!s.known) {
-                    return r;
-                }
-                x = &s.a;
-                y = &s.b;
-            }
-            const bool steps = before == tried::time || !is_usual;
-            if (!steps || !filter_time(r, *x, *y)) {
-                const auto& as_a = as_flight(*x);
-                const auto& as_b = as_flight(*y);
-                r = with_best_products(approach_in_words<dimension_of<B>>{&as_a, &as_b});
-            }
-            r.unit = s.length - s.velocity;
         }
-        return r;
+        if constexpr (has_error_free_doubles) {
+            if (rounds_to_nearest()) {
+                return time_by_words(a, b, is_usual, before);
+            }
+        }
+        return {};
     }
 }
 

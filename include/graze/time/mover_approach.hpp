@@ -102,4 +102,29 @@ struct time_by_doubles {
     }
 };
 
+// The same of two balls whose lengths and velocities are multiplied by powers of two, `near` and the time in those
+// units.
+template <int N>
+struct time_of_scaled {
+    const ball<N, double>*a, *b;
+    double by_length, by_velocity, near;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
+        lane_motion m = lane_motion_of(*a, *b);
+        scale(m.x01, by_length);
+        scale(m.xR2, by_length);
+        scale(m.u01, by_velocity);
+        scale(m.u_2, by_velocity);
+        const auto r = approach_near<Fused>(m, near);
+        return {r.time(), r.good};
+    }
+
+  private:
+    [[gnu::always_inline]] static void scale(exact_pair<lanes>& x, double by) noexcept {
+        x.value = settled(x.value * both(by));
+        x.error = settled(x.error * both(by));
+    }
+};
+
 } // namespace graze::inline v0_1::detail

@@ -36,12 +36,19 @@ using time_of_movers = impact_time<dimension_of<B>, number_in<B>>;
 template <moving B>
 using event_of_movers = event<dimension_of<B>, number_in<B>>;
 
+// The time of two movers, made where it is returned. nearest: as an event has it.
+template <moving B>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>>
+time_within(const enclosure& bounds, const B& a, const B& b, bool overlap, bool nearest = false) {
+    return std::optional<time_of_movers<B>>(std::in_place, impact_time_key{}, bounds, two_balls<dimension_of<B>>{}, a,
+                                            b, event_kind::balls, 0, overlap, nearest);
+}
+
 // Of two movers that overlap, at their start.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_overlap(const B& a, const B& b) {
     const auto start = static_cast<double>(start_of(epochs_of(a, b)));
-    return std::optional<time_of_movers<B>>(std::in_place, impact_time_key{}, enclosure{start, 0},
-                                            two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0, true);
+    return time_within(enclosure{start, 0}, a, b, true);
 }
 
 // The time of two movers by integers.
@@ -65,38 +72,39 @@ template <moving B>
 }
 
 // The time of two movers of which the filter is not certain, or is certain that they hit but not closely enough when:
-// by all further stages. Time and stage.
+// by all further stages, of which `by` becomes the one that was needed.
 template <moving B>
-struct further_impact {
-    std::optional<time_of_movers<B>> time;
-    stage decided_by;
-};
-template <moving B>
-[[nodiscard, gnu::noinline]] constexpr further_impact<B> time_of_impact_further(const B& a, const B& b) {
+[[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_impact_further(const B& a, const B& b,
+                                                                                               stage& by) {
     using T = number_in<B>;
     if constexpr (std::is_floating_point_v<T>) {
         if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
             const further_time t = find_further_time(a, b, tried::filter);
+            by = t.decided_by;
             if (t.what == static_cast<int>(encounter::recede) || t.what == static_cast<int>(encounter::miss)) {
-                return {std::nullopt, t.decided_by};
+                return std::nullopt;
             }
             if (t.what == static_cast<int>(encounter::overlap)) {
-                return {time_of_overlap(a, b), t.decided_by};
+                return time_of_overlap(a, b);
             }
             if (t.what == static_cast<int>(encounter::hit)) {
-                event_of_movers<B> e(two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0, false);
-                if (t.bounds.is_known()) {
-                    return {time_of_movers<B>(impact_time_key{}, t.bounds, e), t.decided_by};
+                enclosure bounds = t.bounds;
+                bool nearest = false;
+                if (!bounds.is_known()) {
+                    const auto rounded = round_further_time<double>(t, rounding::nearest);
+                    if (rounded && is_finite_input(*rounded)) {
+                        bounds = enclosure_of(t, *rounded);
+                        nearest = std::is_same_v<T, double>;
+                    }
                 }
-                const auto nearest = round_further_time<double>(t, rounding::nearest);
-                if (nearest && is_finite_input(*nearest)) {
-                    e.nearest = std::is_same_v<T, double>;
-                    return {time_of_movers<B>(impact_time_key{}, enclosure_of(t, *nearest), e), t.decided_by};
+                if (bounds.is_known() || nearest) {
+                    return time_within(bounds, a, b, false, nearest);
                 }
             }
         }
     }
-    return {time_of_impact_exactly(a, b), stage::exact};
+    by = stage::exact;
+    return time_of_impact_exactly(a, b);
 }
 
 // From their start on, of two movers that hit clearly. error_root/a is at most (K_D + 3/2 K_h) length²: √D <= |h| <= √2
@@ -116,9 +124,10 @@ template <moving B, class Observer>
     using T = number_in<B>;
     if (!std::is_constant_evaluated()) {
         if (!has_usual_size(a, b)) [[unlikely]] {
-            auto further = time_of_impact_further(a, b);
-            observer(further.decided_by);
-            return further.time;
+            stage by{};
+            auto further = time_of_impact_further(a, b, by);
+            observer(by);
+            return further;
         }
         // Half of all pairs part; of the others a hit takes one branch, since what else is asked never differs.
         const auto started = start_filter(a, b);
@@ -135,11 +144,10 @@ template <moving B, class Observer>
                     const T& start = as_stored(a.since) < as_stored(b.since) ? b.since : a.since;
                     bounds = counted_from<T>(static_cast<double>(as_stored(start)), from_start);
                 }
-                return std::optional<time_of_movers<B>>(std::in_place, impact_time_key{}, bounds,
-                                                        two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0,
-                                                        false);
+                return time_within(bounds, a, b, false);
             }
-            return time_of_impact_further(a, b).time;
+            stage unused{};
+            return time_of_impact_further(a, b, unused);
         }
         if (const auto f = started.finish(); f.certain) {
             observer(stage::filter);
@@ -150,12 +158,14 @@ template <moving B, class Observer>
             if (what == encounter::overlap) {
                 return time_of_overlap(a, b);
             }
-            return time_of_impact_further(a, b).time; // nearly a graze
+            stage unused{};
+            return time_of_impact_further(a, b, unused); // nearly a graze
         }
     }
-    auto further = time_of_impact_further(a, b);
-    observer(further.decided_by);
-    return further.time;
+    stage by{};
+    auto further = time_of_impact_further(a, b, by);
+    observer(by);
+    return further;
 }
 
 } // namespace detail
