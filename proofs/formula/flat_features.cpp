@@ -78,7 +78,7 @@ constexpr bool has_sides(const flat_motion<3, double>& f) {
 
 // The border's line as an edge of wall_features sees it; a view may turn n, and with it the speed and `inside`. A value
 // x + v t at the smaller root is (a x - h v - v√D)/a.
-constexpr bool agrees(const flat_edge<double>& x, const auto& view) {
+constexpr bool agrees(const flat_edge<3, double>& x, const auto& view) {
     const auto at = [&](double value, double speed) { return edge_a{}(view)*value - edge_h{}(view)*speed; };
     using at_start = value_at_root<edge_a, edge_h, edge_foot<0>, edge_foot_speed>;
     using at_end = value_at_root<edge_a, edge_h, edge_foot<1>, edge_foot_speed>;
@@ -122,9 +122,9 @@ template <int N>
 constexpr bool sees_corner(const flat_motion<N, double>& f) {
     const auto m = corner_motion(wall_motion_of(f.w, f.u, f.e, f.r));
     const double a = coefficient_a{}(m), h = coefficient_h{}(m);
-    const auto x = edge_of(f.w, f.u, f.e[0], f.r, 0.0, 0.0, 0.0);
+    const auto x = corner_of(f.w, f.u, f.e[0], f.r, 0.0);
     return corner_h{}(x) == h && corner_c{}(x) == coefficient_c{}(m) &&
-           corner_discriminant{}(x) == discriminant_lagrange{}(m) &&
+           corner_discriminant{}(x) == h * h - a * coefficient_c{}(m) &&
            nearest_from_start{}(x) == a * dot(f.w, f.e[0]) - h * dot(f.u, f.e[0]) &&
            direction_speed{}(x) == dot(f.u, f.e[0]);
 }

@@ -186,6 +186,16 @@ struct as_border { // of a triangle, the third
         return B::border();
     }
 };
+struct as_corner { // of a triangle, the second, along its third border
+    template <int N, class T>
+    static auto seen(const graze::flat_motion<N, T>& m) {
+        return corner_of(centre_from(m, 1), m.u, direction_of_border(m, 1), m.r, way_of(m).speed);
+    }
+    template <class B>
+    static consteval auto bounds() {
+        return B::border();
+    }
+};
 template <int N, class As>
 struct flat_inputs {
     static constexpr std::size_t n = N;
@@ -312,6 +322,7 @@ TEST_CASE("No error found in doubles is larger than its bound, in any rounding m
     using way2 = flat_inputs<2, as_way>;
     using way3 = flat_inputs<3, as_way>;
     using border = flat_inputs<3, as_border>;
+    using corner = flat_inputs<3, as_corner>;
     check_bound<way2, graze::way_height>("a segment's height", 0.1);
     check_bound<way2, graze::inside_border>("a segment's side", 0.09);
     check_bound<way2, graze::touch_inside_norm>("a segment's foot", 0.03);
@@ -323,11 +334,11 @@ TEST_CASE("No error found in doubles is larger than its bound, in any rounding m
     check_bound<border, graze::border_h>("an edge's h", 0.04);
     check_bound<border, graze::border_c>("an edge's c", 0.035);
     check_bound<border, graze::border_discriminant>("an edge's D", 0.003);
-    check_bound<border, graze::corner_discriminant>("a corner's D", 0.04);
+    check_bound<corner, graze::corner_discriminant>("a corner's D", 0.04);
     check_bound<border, graze::nearest_from_start>("a foot along an edge", 0.06);
     check_bound<border, graze::touch_along_norm<graze::nearest_from_end>>("a touch along an edge", 0.003);
     check_bound<border, graze::touch_outside_norm>("a touch beside an edge", 0.000006);
-    check_bound<border, graze::touch_behind_norm>("a touch behind a corner", 0.014);
+    check_bound<corner, graze::touch_behind_norm>("a touch behind a corner", 0.014);
 }
 
 TEST_CASE("A constant of half the size would be found out") {

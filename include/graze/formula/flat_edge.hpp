@@ -10,18 +10,26 @@ namespace graze::inline v0_1 {
 
 // A ball and the line of a border, which has the direction d, seen from the border's start; of a corner d leads inwards
 // along a border. inside: O, inward: I, speed: u·n.
-template <class T>
+template <int N, class T>
 struct flat_edge {
     T ww, wd, wu, dd, ud, uu, r;
     T far_wd, far_wu; // seen from the end
     T inside, inward, speed;
-    int border = -1, corner = -1; // which one it is
+    decltype(graze::cross(vec<N, T>{}, vec<N, T>{})) moment{}; // w × u, of a corner
+    int border = -1, corner = -1;                              // which one it is
 };
 template <int N, class T>
-[[nodiscard]] constexpr flat_edge<T> edge_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d, const T& r,
-                                             const T& inside, const T& inward, const T& speed) {
+[[nodiscard]] constexpr flat_edge<N, T> edge_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d, const T& r,
+                                                const T& inside, const T& inward, const T& speed) {
     const T wd = graze::dot(w, d), wu = graze::dot(w, u), dd = graze::dot(d, d), ud = graze::dot(u, d);
     return {graze::dot(w, w), wd, wu, dd, ud, graze::dot(u, u), r, wd - dd, wu - ud, inside, inward, speed};
+}
+template <int N, class T>
+[[nodiscard]] constexpr flat_edge<N, T> corner_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d,
+                                                  const T& r, const T& speed) {
+    auto x = edge_of(w, u, d, r, speed, speed, speed);
+    x.moment = graze::cross(w, u);
+    return x;
 }
 
 // Where along the border it is nearest to the centre's line, times |u × d|²: from the start and from the end.
@@ -83,7 +91,7 @@ struct border_whole_discriminant {
         return x.dd * border_discriminant{}(x);
     }
 };
-// h, c and D of the corner.
+// h, c and D of the corner, by Lagrange's identity.
 struct corner_h {
     template <class E>
     [[nodiscard]] constexpr auto operator()(const E& x) const {
@@ -99,7 +107,7 @@ struct corner_c {
 struct corner_discriminant {
     template <class E>
     [[nodiscard]] constexpr auto operator()(const E& x) const {
-        return x.wu * x.wu - x.uu * corner_c{}(x);
+        return x.r * x.r * x.uu - graze::squared_norm(x.moment);
     }
 };
 

@@ -28,7 +28,7 @@ class flat_sight {
         : m_(m), way_(way), judge_(judge) {}
 
     // The numbers of the edge or the corner that was found.
-    [[nodiscard]] constexpr flat_edge<T> numbers_of(const flat_answer& found) const {
+    [[nodiscard]] constexpr flat_edge<N, T> numbers_of(const flat_answer& found) const {
         return seen_from_feature({found.where, found.index});
     }
 
@@ -112,7 +112,7 @@ class flat_sight {
                        [&](int k) { return along<foot_from_start, foot_from_end>(k); });
     }
 
-    [[nodiscard, gnu::always_inline]] constexpr flat_edge<T> seen_from_border(int k) const {
+    [[nodiscard, gnu::always_inline]] constexpr flat_edge<N, T> seen_from_border(int k) const {
         if constexpr (N == 2) {
             return seen_from_corner(k, k);
         } else {
@@ -124,7 +124,7 @@ class flat_sight {
         }
     }
     // Of a corner, with the direction inwards along border k.
-    [[nodiscard, gnu::always_inline]] constexpr flat_edge<T> seen_from_corner(int corner, int k) const {
+    [[nodiscard, gnu::always_inline]] constexpr flat_edge<N, T> seen_from_corner(int corner, int k) const {
         vec<N, T> d = m_.e[0];
         if constexpr (N == 2) {
             d = k == 0 ? d : -d;
@@ -134,7 +134,7 @@ class flat_sight {
         }
         return corner_along(corner, d);
     }
-    [[nodiscard, gnu::always_inline]] constexpr flat_edge<T> seen_from_feature(located f) const {
+    [[nodiscard, gnu::always_inline]] constexpr flat_edge<N, T> seen_from_feature(located f) const {
         if constexpr (N == 3) {
             if (f.where == feature::edge) {
                 return seen_from_border(f.index);
@@ -143,7 +143,7 @@ class flat_sight {
         return corner_along(f.index, m_.e[0]);
     }
     template <class Border, class Corner>
-    [[nodiscard, gnu::always_inline]] constexpr int of_feature(located f, const flat_edge<T>& x) const {
+    [[nodiscard, gnu::always_inline]] constexpr int of_feature(located f, const flat_edge<N, T>& x) const {
         if constexpr (N == 3) {
             if (f.where == feature::edge) {
                 return judge_(Border{}, x);
@@ -151,10 +151,10 @@ class flat_sight {
         }
         return judge_(Corner{}, x);
     }
-    [[nodiscard, gnu::always_inline]] constexpr int approach(located f, const flat_edge<T>& x) const {
+    [[nodiscard, gnu::always_inline]] constexpr int approach(located f, const flat_edge<N, T>& x) const {
         return of_feature<border_h, corner_h>(f, x);
     }
-    [[nodiscard, gnu::always_inline]] constexpr int discriminant(located f, const flat_edge<T>& x) const {
+    [[nodiscard, gnu::always_inline]] constexpr int discriminant(located f, const flat_edge<N, T>& x) const {
         return of_feature<border_discriminant, corner_discriminant>(f, x);
     }
     [[nodiscard]] constexpr int clearance_of(located f) const {
@@ -173,8 +173,8 @@ class flat_sight {
     const Judge& judge_;
 
   private:
-    [[nodiscard, gnu::always_inline]] constexpr flat_edge<T> corner_along(int corner, const vec<N, T>& d) const {
-        auto x = edge_of(centre_from(m_, corner), m_.u, d, m_.r, way_.speed, way_.speed, way_.speed);
+    [[nodiscard, gnu::always_inline]] constexpr flat_edge<N, T> corner_along(int corner, const vec<N, T>& d) const {
+        auto x = corner_of(centre_from(m_, corner), m_.u, d, m_.r, way_.speed);
         x.corner = corner;
         return x;
     }

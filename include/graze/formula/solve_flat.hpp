@@ -35,12 +35,16 @@ class direct_judge {
     [[nodiscard]] constexpr int operator()(F f, const X& x) const {
         return graze::sign(T(f(x)));
     }
-    [[nodiscard]] constexpr int operator()(border_h, const flat_edge<T>& x) const { return graze::sign(edge(x).q.h); }
-    [[nodiscard]] constexpr int operator()(border_c, const flat_edge<T>& x) const { return graze::sign(edge(x).q.c); }
-    [[nodiscard]] constexpr int operator()(border_discriminant, const flat_edge<T>& x) const {
+    [[nodiscard]] constexpr int operator()(border_h, const flat_edge<N, T>& x) const {
+        return graze::sign(edge(x).q.h);
+    }
+    [[nodiscard]] constexpr int operator()(border_c, const flat_edge<N, T>& x) const {
+        return graze::sign(edge(x).q.c);
+    }
+    [[nodiscard]] constexpr int operator()(border_discriminant, const flat_edge<N, T>& x) const {
         return graze::sign(edge(x).discriminant);
     }
-    [[nodiscard]] constexpr int operator()(corner_discriminant, const flat_edge<T>& x) const {
+    [[nodiscard]] constexpr int operator()(corner_discriminant, const flat_edge<N, T>& x) const {
         return graze::sign(corner(x.corner).discriminant);
     }
 
@@ -64,7 +68,7 @@ class direct_judge {
     }
 
   private:
-    [[nodiscard]] constexpr approach edge(const flat_edge<T>& x) const { return edge(x.border); }
+    [[nodiscard]] constexpr approach edge(const flat_edge<N, T>& x) const { return edge(x.border); }
 
     wall_motion<N, T, T, T, T> motion_;
     bool is_triangle_;
@@ -128,7 +132,8 @@ template <variant V, root_form F, int N, class T>
         if constexpr (has_sqrt<T>) {
             s.normal = contact_normal(apart, graze::root(T(graze::squared_norm(apart))));
         } else {
-            s.normal = contact_normal(apart, graze::root(T(graze::squared_norm(apart).p()))); // τ = 0: rational
+            s.normal = contact_normal(apart,
+                                      graze::root(T(graze::squared_norm(apart).p()))); // τ = 0: rational
         }
     } else {
         s.normal = graze::sign(b.radius) != 0 ? contact_normal(apart, real(b.radius)) : detail::zero_vector<N, real>();

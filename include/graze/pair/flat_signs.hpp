@@ -60,7 +60,7 @@ struct flat_bounds {
         const error_bound n = face_normal(motion().e)[0];
         return {{n.magnitude, n.error + 4 * n.magnitude, n.degree}, x.facing, x.r, x.at, x.pull};
     }
-    [[nodiscard]] static consteval flat_edge<error_bound> border() {
+    [[nodiscard]] static consteval flat_edge<N, error_bound> border() {
         const auto m = motion();
         const auto w = way();
         const error_bound wd = graze::dot(m.w, m.e[0]), wu = graze::dot(m.w, m.u), dd = graze::dot(m.e[0], m.e[0]);
@@ -76,7 +76,8 @@ struct flat_bounds {
                 wu - as_length(ud),
                 inside_border{}(w),
                 inward_speed{}(w),
-                w.speed};
+                w.speed,
+                graze::cross(m.w, m.u)};
     }
 };
 
@@ -105,17 +106,72 @@ template <class B, int N>
 [[nodiscard]] consteval auto bounds_like(const flat_touch<N, double>*) {
     return B::touch();
 }
-template <class B>
-[[nodiscard]] consteval auto bounds_like(const flat_edge<double>*) {
+template <class B, int N>
+[[nodiscard]] consteval auto bounds_like(const flat_edge<N, double>*) {
     return B::border();
 }
 
-// Of doubles that come from inputs of type T.
+// Formulas whose terms are squares of what cancels by itself: their values tell more than the scales do.
+template <class F>
+inline constexpr bool gains_by_values = false;
+template <>
+inline constexpr bool gains_by_values<border_discriminant> = true;
+template <>
+inline constexpr bool gains_by_values<corner_discriminant> = true;
+template <class Nearest>
+inline constexpr bool gains_by_values<touch_along_norm<Nearest>> = true;
+template <>
+inline constexpr bool gains_by_values<touch_outside_norm> = true;
+template <>
+inline constexpr bool gains_by_values<touch_behind_norm> = true;
+
+template <class B, int N>
+inline constexpr flat_edge<N, error_bound> border_bounds = B::border();
+
+// The numbers of a border, each with the bound that the scales give it.
+template <class B, int N>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_edge<N, bounded_double<52>>
+with_bounds(const flat_edge<N, double>& x, const magnitudes& s) noexcept {
+    using number = bounded_double<52>;
+    const auto with = [&s]<class Get>(const auto& numbers, Get get) {
+        constexpr error_bound b = get(border_bounds<B, N>);
+        constexpr double k = b.error * error_bound::unit * error_bound::slack;
+        return number(get(numbers), k * (power_of<b.degree[0]>(s.length) * power_of<b.degree[1]>(s.velocity) *
+                                         power_of<b.degree[2]>(s.normal)));
+    };
+    const auto component = [&](int i) {
+        if constexpr (N == 2) {
+            return with(x, [](const auto& e) { return e.moment; });
+        } else {
+            const auto of_first = with(x, [](const auto& e) { return e.moment[0]; });
+            return number(x.moment[i], of_first.error());
+        }
+    };
+    flat_edge<N, number> r{
+        with(x, [](const auto& e) { return e.ww; }),     with(x, [](const auto& e) { return e.wd; }),
+        with(x, [](const auto& e) { return e.wu; }),     with(x, [](const auto& e) { return e.dd; }),
+        with(x, [](const auto& e) { return e.ud; }),     with(x, [](const auto& e) { return e.uu; }),
+        with(x, [](const auto& e) { return e.r; }),      with(x, [](const auto& e) { return e.far_wd; }),
+        with(x, [](const auto& e) { return e.far_wu; }), with(x, [](const auto& e) { return e.inside; }),
+        with(x, [](const auto& e) { return e.inward; }), with(x, [](const auto& e) { return e.speed; })};
+    if constexpr (N == 2) {
+        r.moment = component(0);
+    } else {
+        r.moment = make_vec<3>(component);
+    }
+    return r;
+}
+
+// Of doubles that come from inputs of type T: by the scales and, where that leaves a sign open, by values.
 template <int N, class T>
 struct filtered_judge {
     static constexpr bool has_roots = true;
     magnitudes scales;
+    mutable bool refined = false; // whether a sign was certain by values
 
+    [[nodiscard]] constexpr stage decided_by() const noexcept {
+        return !std::is_constant_evaluated() && refined ? stage::refined : stage::filter;
+    }
     [[nodiscard]] constexpr double root_error() const noexcept {
         return error(touch_length{}, flat_touch<N, double>{});
     }

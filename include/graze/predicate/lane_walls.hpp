@@ -68,12 +68,12 @@ struct lane_judge {
 template <int N, class V, class Judge>
 [[nodiscard, gnu::always_inline]] inline typename V::mask
 passes_border(const flat_motion<N, V>& m, const flat_way<N, V>& way, int k, const Judge& judge) noexcept {
-    const V inside = inside_border{k, m.is_triangle}(way);
     if constexpr (N == 2) {
         const vec<N, V> w = k == 0 ? m.w : m.w - m.e[0];
-        return judge(corner_discriminant{}, edge_of(w, m.u, m.e[0], m.r, inside, way.speed, way.speed)).negative;
+        return judge(corner_discriminant{}, corner_of(w, m.u, m.e[0], m.r, way.speed)).negative;
     } else {
         const vec<N, V> d = k >= 2 ? m.e[0] : k == 1 && m.is_triangle ? m.e[1] - m.e[0] : m.e[1];
+        const V inside = inside_border{k, m.is_triangle}(way);
         return judge(border_discriminant{}, edge_of(m.w, m.u, d, m.r, inside, way.speed, way.speed)).negative;
     }
 }

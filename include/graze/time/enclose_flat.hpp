@@ -73,7 +73,7 @@ template <int N, class T>
                    : enclosure{};
     }
     const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, judge);
-    const flat_edge<double> x = decision.numbers_of(found);
+    const flat_edge<N, double> x = decision.numbers_of(found);
     if constexpr (N == 3) {
         if (found.where == feature::edge) {
             return enclose_root(border_c{}(x), border_h{}(x), border_whole_discriminant{}(x),
@@ -100,7 +100,7 @@ template <int N, class T, class Shape>
             time = (std::fabs(way.height) - way.r * std::sqrt(way.nn)) / std::fabs(way.speed);
         } else {
             const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, f.judge);
-            const flat_edge<double> x = decision.numbers_of(found);
+            const flat_edge<N, double> x = decision.numbers_of(found);
             const bool is_edge = found.where == feature::edge;
             const double d = is_edge ? border_whole_discriminant{}(x) : corner_discriminant{}(x);
             if (!(d > 0)) {
