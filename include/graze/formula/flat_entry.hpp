@@ -40,6 +40,16 @@ class flat_entry : public flat_sight<N, T, Judge> {
         return {!doubt, encounter::miss};
     }
 
+    // A hit or graze of this feature, if it is certain that it is touched and that no other one is touched first; then
+    // the ball does not overlap now, since distances from what is convex are convex in time.
+    [[nodiscard]] constexpr flat_answer if_alone(const flat_answer& x) const {
+        bool grazes = false;
+        if (!is_collision(x.what) || x.what == encounter::overlap || enters(x, grazes) != alone) {
+            return {};
+        }
+        return {true, grazes ? encounter::graze : encounter::hit, x.where, x.index};
+    }
+
   protected:
     using sight = flat_sight<N, T, Judge>;
     using sight::borders;
@@ -73,6 +83,14 @@ class flat_entry : public flat_sight<N, T, Judge> {
                : ((signs == open_sign) || ...) ? perhaps
                : ((signs == 0) || ...)         ? shared
                                                : alone;
+    }
+    [[nodiscard]] constexpr verdict enters(const flat_answer& x, bool& grazes) const {
+        if constexpr (N == 3) {
+            if (x.where == feature::edge) {
+                return enters_edge(x.index, grazes);
+            }
+        }
+        return x.where == feature::face ? enters_face() : enters_corner(x.index, grazes);
     }
     [[nodiscard]] static constexpr int minus(int sign) { return sign == open_sign ? sign : -sign; }
 

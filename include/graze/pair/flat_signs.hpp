@@ -3,7 +3,9 @@
 
 #include <graze/filter/scaled_filter.hpp>
 #include <graze/formula/flat_encounter.hpp>
+#include <graze/pair/bounded_double.hpp>
 #include <graze/pair/rounded_motion.hpp>
+#include <graze/pair/stage.hpp>
 
 #include <algorithm>
 
@@ -194,7 +196,23 @@ struct filtered_judge {
     }
     template <class F, class X>
     [[nodiscard, gnu::always_inline]] constexpr int operator()(F f, const X& x) const noexcept {
-        return filtered_sign<bounds<X>>(f, x, scales);
+        const int sign = filtered_sign<bounds<X>>(f, x, scales);
+        if constexpr (gains_by_values<F>) {
+            if (sign == open && !std::is_constant_evaluated()) [[unlikely]] { // constants have integers next
+                return by_values(f, x);
+            }
+        }
+        return sign;
+    }
+
+  private:
+    // What is flushed to zero is below 2^-150 of the product of the scales (usable): 2^-100 of it is room for all.
+    template <class F>
+    [[nodiscard, gnu::noinline]] int by_values(F f, const flat_edge<N, double>& x) const noexcept {
+        const bounded_double<52> y = f(with_bounds<flat_bounds<N, T>>(x, scales));
+        const int sign = y.certain_sign(0x1p-48 * error(f, x));
+        refined = refined || sign != 0;
+        return sign != 0 ? sign : open;
     }
 };
 

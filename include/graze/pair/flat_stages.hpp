@@ -15,17 +15,43 @@ namespace graze::inline v0_1::detail {
 // what: the feature is set by chance. clearance: overlap of things that are inside each other now, else miss.
 enum class flat_question : std::uint8_t { what, feature, clearance };
 
-template <int N, class T, class Judge>
+struct no_guess {};
+
+// guess(): what the answer probably is, if anything is known of it.
+template <int N, class T, class Judge, class Guess = no_guess>
 [[nodiscard, gnu::always_inline]] constexpr inline flat_answer answer_of(const flat_motion<N, T>& m, const Judge& judge,
-                                                                         flat_question question) {
+                                                                         flat_question question, Guess guess = {}) {
     const auto way = way_of(m);
     const flat_decision<N, T, Judge> decision(m, way, judge);
     if (question == flat_question::clearance) {
         const int c = decision.clearance();
         return {c != open_sign, c < 0 ? encounter::overlap : encounter::miss};
     }
+    if constexpr (!std::is_same_v<Guess, no_guess>) {
+        if (question == flat_question::feature) {
+            if (const flat_answer first = decision.if_alone(guess()); first.certain) {
+                return first;
+            }
+        }
+    }
     const flat_answer found = decision.what();
     return question == flat_question::what ? found : decision.with_feature(found);
+}
+
+// Plain doubles' answer, which may be wrong.
+struct plain_judge {
+    static constexpr bool has_roots = false;
+
+    template <class F, class X>
+    [[nodiscard]] int operator()(F f, const X& x) const noexcept {
+        return graze::sign(f(x));
+    }
+};
+template <int N>
+[[nodiscard, gnu::noinline]] flat_answer guess_of(const flat_motion<N, double>& m) noexcept {
+    const auto way = way_of(m);
+    const plain_judge judge;
+    return flat_decision<N, double, plain_judge>(m, way, judge)();
 }
 
 struct word_judge {
@@ -47,7 +73,9 @@ struct refined_judge {
 
     template <class F, class X>
     [[nodiscard]] int operator()(F f, const X& x) const noexcept {
-        const int s = bounded_double(f(x)).certain_sign();
+        // A step loses less than 2^-1070; inputs below 2^3, a degree below 30 and fewer than 2^11 steps leave that
+        // below 2^-900.
+        const int s = bounded_double<53>(f(x)).certain_sign(0x1p-900);
         return s != 0 ? s : open_sign;
     }
 };
@@ -64,10 +92,20 @@ struct exact_judge {
     }
 };
 
+template <int N, class I>
+[[nodiscard, gnu::always_inline]] constexpr inline vec<N, I> difference_of_inputs(const vec<N, I>& x,
+                                                                                  const vec<N, I>& y) {
+    if constexpr (requires { I::exact_difference(x[0], y[0]); }) {
+        return make_vec<N>([&](int i) { return I::exact_difference(x[i], y[i]); });
+    } else {
+        return x - y;
+    }
+}
 template <int N, class I, class Inputs>
 [[nodiscard]] constexpr flat_motion<N, I> flat_motion_in(const Inputs& in, bool is_triangle) {
     const auto s = ball_and_wall<N>::template shapes_of<I>(in);
-    return {s.ball.position - s.wall.corner, s.ball.velocity, s.wall.edge, s.ball.radius, is_triangle};
+    return {difference_of_inputs(s.ball.position, s.wall.corner), s.ball.velocity, s.wall.edge, s.ball.radius,
+            is_triangle};
 }
 
 // Numbers of a row, times 2^power: the largest one is then in [1, 2). Exact where that of the smallest is not below
@@ -116,7 +154,8 @@ template <class Number, class Judge, int N, class T>
     }
     const auto m = flat_motion_in<N, Number>(in, is_triangle);
     const Judge judge;
-    return judge(edges_span{}, edges_of(m)) == 1 ? answer_of(m, judge, question) : flat_answer{};
+    const auto guess = [&] { return guess_of(flat_motion_in<N, double>(in, is_triangle)); };
+    return judge(edges_span{}, edges_of(m)) == 1 ? answer_of(m, judge, question, guess) : flat_answer{};
 }
 
 template <int N>
@@ -151,7 +190,8 @@ template <int N, class T, class Row>
     }
     if constexpr (has_words) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
-            flat_answer found = answer_by_bounds<bounded_double, refined_judge, N>(row.data(), is_triangle, question);
+            flat_answer found =
+                answer_by_bounds<bounded_double<53>, refined_judge, N>(row.data(), is_triangle, question);
             if (found.certain) {
                 by = wider(by, stage::refined);
                 return found;

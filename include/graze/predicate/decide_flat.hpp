@@ -51,6 +51,7 @@ template <flat_question Question, int N, class T, class Shape>
                 }
             }
             if (const flat_answer found = answer_of(f.motion, f.judge, Question); found.certain) [[likely]] {
+                by = f.judge.decided_by();
                 return found;
             }
         }

@@ -139,6 +139,7 @@ template <int N, class T, class Shape>
             const auto way = way_of(f.motion);
             const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, f.judge);
             if (const flat_answer found = decision(); found.certain) [[likely]] {
+                by = f.judge.decided_by();
                 if (found.what != encounter::hit) {
                     return {found, {}};
                 }
