@@ -93,7 +93,7 @@ class surroundings {
         next_.place = whole + gone;
         centre_in_flight_ = from_flight(centre_, whole);
         if ((!is_periodic() && idle_ > patience()) || !end_of_shell(f, now, centre_in_flight_, next_.radius).known ||
-            next_.radius > most_periods / 4 * shortest_) {
+            next_.radius > 0.25 * most_periods * shortest_) {
             return false;
         }
         fresh_.clear();
