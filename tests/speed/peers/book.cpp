@@ -28,9 +28,10 @@ constexpr const char* introduction = R"(<h1>What collisions cost, and what they 
 one run. A chapter's own page has its tables and the figures behind each mark.</p>
 )";
 
-constexpr const char* about_fallback = R"(<h2>How often graze needs integers</h2>
-<p>A decision is first tried in floating point, with a proven bound on its error; where that is not certain, integers settle it.
-On ordinary pairs of balls that is never; most families are made of those where it is needed.</p>
+constexpr const char* about_fallback = R"(<h2>Which stage settles an answer</h2>
+<p>A decision is first tried in floating point, with a proven bound on its error; where that is not certain, in a form that cancels
+less, in double words, and at last in integers. Ordinary pairs of balls take the first; most families are made of those that need
+more.</p>
 )";
 
 std::string image(const std::string& file, const std::string& what) {
@@ -66,7 +67,7 @@ void write_book(const std::string& folder, const std::vector<chapter>& chapters,
         page += rest.empty() ? "" : "<p class=\"under\">More: " + rest + "</p>\n";
     }
     compare::write_picture_file(picture_of(rates), command, folder + "/fallback.svg");
-    page += about_fallback + image("fallback.svg", "the share of decisions that integers settled, by family");
+    page += about_fallback + image("fallback.svg", "the share of decisions that each stage settled, by family");
     page += "<p class=\"under\">Made by <code>" + escaped(command) + "</code></p>\n</main>\n</body>\n</html>\n";
     compare::write_whole_file(folder + "/index.html", page);
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdio>
+#include <numeric>
 
 namespace peers {
 
@@ -16,10 +17,10 @@ namespace {
 
 template <int N>
 fallback_rate rate_of(const families::family& f, std::uint64_t seed, std::size_t count) {
-    fallback_rate rate{std::string(f.name), N, count, 0, 0, 0};
+    fallback_rate rate{std::string(f.name), N, {}, {}};
     const auto decide = [&](const auto& a, const auto& b) {
         static_cast<void>(
-            graze::classify(a, b, [&](graze::stage s) { rate.decided_exactly += s == graze::stage::exact ? 1U : 0U; }));
+            graze::classify(a, b, [&](graze::stage s) { ++rate.decisions[static_cast<std::size_t>(s)]; }));
     };
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto pair = f.draw<N>(seed, i);
@@ -34,8 +35,7 @@ fallback_rate rate_of(const families::family& f, std::uint64_t seed, std::size_t
             decide(pair.a, pair.b);
             auto by = graze::stage::filter;
             if (graze::collide(pair.a, pair.b, [&](graze::stage s) { by = s; })) {
-                ++rate.contacts;
-                rate.contacts_exactly += by == graze::stage::exact ? 1U : 0U;
+                ++rate.contacts[static_cast<std::size_t>(by)];
             }
             break;
         }
@@ -44,14 +44,33 @@ fallback_rate rate_of(const families::family& f, std::uint64_t seed, std::size_t
     return rate;
 }
 
-double percent(std::size_t part, std::size_t whole) {
-    return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+constexpr std::array<const char*, 4> stage_names = {"filter", "refined", "double words", "integers"};
+
+// In percent; nothing of nothing.
+std::array<double, 4> shares_of(const stage_counts& counts) {
+    const auto all = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+    std::array<double, 4> shares{};
+    for (std::size_t i = 0; i < shares.size() && all > 0; ++i) {
+        shares[i] = 100 * static_cast<double>(counts[i]) / all;
+    }
+    return shares;
 }
 
-std::string shown(std::size_t part, std::size_t whole) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), whole == 0 ? "–" : "%.1f", percent(part, whole));
-    return text.data();
+std::string cells_of(const stage_counts& counts) {
+    std::string text;
+    for (const double share : shares_of(counts)) {
+        std::array<char, 32> cell{};
+        std::snprintf(cell.data(), cell.size(), " %.1f |", share);
+        text += cell.data();
+    }
+    return text;
+}
+
+stage_counts sum_of(stage_counts x, const stage_counts& y) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] += y[i];
+    }
+    return x;
 }
 
 } // namespace
@@ -66,73 +85,67 @@ std::vector<fallback_rate> fallback_rates(std::uint64_t seed, std::size_t count)
 }
 
 std::string table_of(const std::vector<fallback_rate>& rates) {
-    std::string text = "\n## fallback rates of graze\n\n| family | in | decided by integers, % | contacts of balls "
-                       "that took integers, % |\n|---|---|--:|--:|\n";
+    std::string text = "\n## stages of graze\n\nPer cent of decisions, and of contacts of balls, that the filter, the "
+                       "refined stage, double words and integers settled.\n\n| family | in | filter | refined | words "
+                       "| integers | contacts: filter | refined | words | integers |\n"
+                       "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const fallback_rate& r : rates) {
-        text += "| " + r.family + " | " + std::to_string(r.dimension) + "D | " + shown(r.decided_exactly, r.pairs) +
-                " | " + shown(r.contacts_exactly, r.contacts) + " |\n";
+        text += "| " + r.family + " | " + std::to_string(r.dimension) + "D |" + cells_of(r.decisions) +
+                cells_of(r.contacts) + "\n";
     }
     return text;
 }
 
 std::string picture_of(const std::vector<fallback_rate>& rates) {
     using namespace compare::report;
-    constexpr double left = 200, right = 30, top = 56, bottom = 40, line = 22;
+    constexpr double left = 200, right = 30, top = 56, bottom = 40, line = 24;
+    constexpr std::array<ink, 4> colours = {ink::grid, ink::one, ink::three, ink::two};
     const auto rows = static_cast<double>(rates.size() / 2);
-    picture p("fallback", 1040, static_cast<int>(top + bottom + line * rows),
-              "The share of decisions and of contacts that integers had to settle, by family; the table has the same "
-              "figures.");
+    const double height = top + bottom + line * rows;
+    picture p("fallback", 1040, static_cast<int>(height),
+              "The share of decisions and of contacts that each of four stages settled, by family; the table has the "
+              "same figures.");
     p.margins(left, right, top, bottom);
-    p.add("set xrange [-2:102]\nset yrange [" + exactly(rows - 0.4) + ":-0.6]");
-    std::vector<std::pair<double, std::string>> names, shares;
+    p.add("set xrange [0:100]\nset yrange [" + exactly(rows) + ":0]");
+    std::vector<std::pair<double, std::string>> names, marks;
     for (int share = 0; share <= 100; share += 20) {
-        shares.emplace_back(share, std::to_string(share) + "%");
+        marks.emplace_back(share, std::to_string(share) + "%");
     }
-    struct series {
-        std::string name, rows;
-        int dimension;
-        bool contacts;
-        int marker;
-        ink colour;
-    };
-    std::array<series, 4> all = {{{"decisions in the plane", "", 2, false, 7, ink::one},
-                                  {"decisions in space", "", 3, false, 6, ink::one},
-                                  {"contacts of balls in the plane", "", 2, true, 5, ink::two},
-                                  {"contacts of balls in space", "", 3, true, 4, ink::two}}};
-    for (std::size_t i = 0; i < rates.size(); ++i) {
-        const fallback_rate& r = rates[i];
-        const auto y = static_cast<double>(i / 2);
-        if (i % 2 == 0) {
-            names.emplace_back(y, r.family);
-        }
-        for (series& s : all) {
-            const std::size_t whole = s.contacts ? r.contacts : r.pairs;
-            if (s.dimension == r.dimension && whole != 0) {
-                const double share = percent(s.contacts ? r.contacts_exactly : r.decided_exactly, whole);
-                const double offset = (s.contacts ? 0.14 : -0.14);
-                s.rows += exactly(share) + " " + exactly(y + offset) + " " +
-                          p.text(r.family + ", " + s.name + ": " + exactly(share) + "%") + "\n";
+    const auto bar = [&](const stage_counts& counts, double upper, double lower) {
+        double from = 0;
+        const std::array<double, 4> shares = shares_of(counts);
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            if (shares[i] > 0) {
+                p.add("set object rectangle from " + exactly(from) + "," + exactly(upper) + " to " +
+                      exactly(from + shares[i]) + "," + exactly(lower) + " fc " + picture::colour(colours[i]) +
+                      " fs solid noborder");
             }
+            from += shares[i];
         }
+    };
+    for (std::size_t i = 0; i + 1 < rates.size(); i += 2) { // in the plane and in space
+        const auto y = static_cast<double>(i / 2);
+        names.emplace_back(y + 0.5, rates[i].family);
+        bar(sum_of(rates[i].decisions, rates[i + 1].decisions), y + 0.14, y + 0.5);
+        bar(sum_of(rates[i].contacts, rates[i + 1].contacts), y + 0.56, y + 0.8);
     }
-    p.tics('x', shares);
+    p.tics('x', marks);
     p.tics('y', names);
-    std::string blocks, plots;
     double x = left;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::string name = "$series" + std::to_string(i);
-        blocks += name + " << END\n" + all[i].rows + "END\n";
-        plots += (i == 0 ? "" : ", ") + name + " using 1:2:3 with labels hypertext point pt " +
-                 std::to_string(all[i].marker) + " ps 0.9 lc " + picture::colour(all[i].colour);
-        const std::string y = "screen " + exactly(1 - 16 / (top + bottom + line * rows));
-        p.add("set label \"\" at screen " + exactly(x / 1040) + "," + y + " point pt " + std::to_string(all[i].marker) +
-              " ps 0.9 lc " + picture::colour(all[i].colour) + " front");
-        p.label(all[i].name, "screen " + exactly((x + 10) / 1040), y, "left", ink::muted);
-        x += 205;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const auto corner = [&](double dx, double y) {
+            return "screen " + exactly((x + dx) / 1040) + ",screen " + exactly(1 - y / height);
+        };
+        p.add("set object rectangle from " + corner(0, 10) + " to " + corner(12, 22) + " fc " +
+              picture::colour(colours[i]) + " fs solid noborder");
+        p.label(stage_names[i], "screen " + exactly((x + 18) / 1040), "screen " + exactly(1 - 16 / height), "left",
+                ink::muted);
+        x += 130;
     }
-    p.label("settled by integers →", "graph 1", "screen " + exactly(10 / (top + bottom + line * rows)), "right",
+    p.label("upper bar: decisions; lower: contacts of balls", "graph 1", "screen " + exactly(1 - 16 / height), "right",
             ink::muted);
-    p.add(blocks + "plot " + plots);
+    p.label("settled by these stages →", "graph 1", "screen " + exactly(10 / height), "right", ink::muted);
+    p.add("$ends << END\n0 0\nEND\nplot $ends using 1:2 with points pt 7 ps 0 lc " + picture::colour(ink::paper));
     return p.svg();
 }
 

@@ -1,6 +1,7 @@
-// How often the filter leaves an answer to integers, by family.
+// Which stage settles graze's answers, by family.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -8,11 +9,14 @@
 
 namespace peers {
 
+// By graze::stage: how many pairs each settles.
+using stage_counts = std::array<std::size_t, 4>;
+
 struct fallback_rate {
     std::string family;
     int dimension = 0;
-    std::size_t pairs = 0, decided_exactly = 0;     // of all pairs: by integers
-    std::size_t contacts = 0, contacts_exactly = 0; // of two balls that meet: integers decided or rounded something
+    stage_counts decisions{}; // of all pairs
+    stage_counts contacts{};  // of two balls that meet: the widest that the decision or any component needed
 };
 
 [[nodiscard]] std::vector<fallback_rate> fallback_rates(std::uint64_t seed, std::size_t count);
