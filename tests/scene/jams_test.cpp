@@ -51,6 +51,17 @@ TEST_CASE("a ball that a mirror presses to a plane is named before two million e
     CHECK(earlier.outcome.events < finished.outcome.events);
 }
 
+TEST_CASE("a ball that a mirror presses into a groove is named with both sides of it") {
+    const balls three = {
+        {{{0, 5}}, {{0, -1}}, 1, infinite}, {{{0.1, 1.3}}, {{0, 0}}, 0.5, 1}, {{{100, 0}}, {{1, 0}}, 0.5, 1}};
+    const planes groove = {{{{0, 0}}, {{1, 1}}}, {{{0, 0}}, {{-1, 1}}}};
+    const auto finished = run_exactly<2>({three, groove, {}}, {.events = 2'000'000});
+    CHECK(finished.outcome.why == graze::ending::cascade);
+    participants named = finished.outcome.jammed;
+    std::sort(named.begin(), named.end());
+    CHECK(named == participants{{ball, 0}, {ball, 1}, {graze::partner::plane, 0}, {graze::partner::plane, 1}});
+}
+
 TEST_CASE("a ball that two mirrors press is named with both, and stops if one wants") {
     const balls two = {{{{-3, 0}}, {{1, 0}}, 0.5, infinite},
                        {{{0, 0}}, {{0, 0}}, 0.5, 1},

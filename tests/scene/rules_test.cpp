@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -184,6 +185,37 @@ TEST_CASE("an event that shares a ball with one that another of the same time br
     balls five = four;
     five[1].mass = five[2].mass = infinite;
     CHECK(run_exactly<2>({five, {}, {}}, {.time = 2}).outcome.choices == 0);
+}
+
+TEST_CASE("of grazes at one time none is lost, and a hit beside them is as if they were not") {
+    const auto events_of = [](const graze::scene<2>& scene) {
+        std::vector<graze::meeting> told;
+        const auto finished = run_exactly<2>(scene, {.time = 6}, [&](const exact_event<2>& e) {
+            CHECK(e.when == 5);
+            told.push_back(e.who);
+            return true;
+        });
+        std::sort(told.begin(), told.end());
+        return std::pair(told, finished.flights[0].state.velocity);
+    };
+    using graze::partner;
+    const graze::vec<2, double> on{{1, 0}}, back{{-1, 0}};
+    const balls one = {{{{-5, 0}}, {{1, 0}}, 1, 1}};
+    const walls gate = {{{{0, 1}}, {{{{0, 3}}}}}, {{{0, -1}}, {{{{0, -3}}}}}};
+    const std::vector<graze::meeting> both = {{partner::wall, 0, 0}, {partner::wall, 0, 1}};
+    CHECK(events_of({one, {}, gate}) == std::pair(both, on));
+    balls three = {{{{-5, 1}}, {{1, 0}}, 0.5, 1}, {{{0, 0}}, {{0, 0}}, 0.5, 1}, {{{0, 2}}, {{0, 0}}, 0.5, 1}};
+    const std::vector<graze::meeting> pair = {{partner::ball, 0, 1}, {partner::ball, 0, 2}};
+    CHECK(events_of({three, {}, {}}) == std::pair(pair, on));
+    // Halfway between two others, at a place that no double is.
+    const balls third = {{{{-5, 0}}, {{1, 0}}, 0.1, 1}};
+    const walls narrow = {{{{0, 0.1}}, {{{{0, 3}}}}}, {{{0, -0.1}}, {{{{0, -3}}}}}};
+    CHECK(events_of({third, {}, narrow}).first.size() == 2);
+    // The mirror, which is hit at the same time, comes last in canonical order.
+    three.push_back({{{1, 1}}, {{0, 0}}, 0.5, infinite});
+    const auto [told, velocity] = events_of({three, {}, {}});
+    CHECK(std::count(told.begin(), told.end(), graze::meeting{partner::ball, 0, 3}) == 1);
+    CHECK(velocity == back);
 }
 
 TEST_CASE("a cascade without end is reported") {

@@ -3,28 +3,35 @@
 
 #include <graze/scene/body.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace graze::inline v0_1::detail {
 
-// Counts, for each ball, its events in a row with no more than two others, and how far time has come meanwhile. Where a
-// jam is depends on nobody else.
+// A ball and the others among whom a jam is, at most four: a ball that a mirror presses into the corner of three planes
+// has so many. The list may end with no_body.
+using jammed_bodies = std::array<body, 5>;
+
+// Counts, for each ball, its events in a row with no more than four others, and how far time has come meanwhile. A jam
+// does not depend on other balls.
 class jam_watch {
   public:
     jam_watch() = default;
     explicit jam_watch(body balls) : counts_(balls) {}
 
-    // Ball a has met b at about that time. True if so many of its events, `most`, have been with the same two or fewer
+    // Ball a has met b at about that time. True if so many of its events, `most`, have been with the same four or fewer
     // while time has advanced by no more than 2^-26 of itself.
     [[nodiscard]] bool note(body a, body b, double now, std::uint64_t most) noexcept {
         count& c = counts_[a];
-        if (b != c.others[0] && b != c.others[1]) {
-            if (c.others[1] == no_body && c.others[0] != no_body) {
-                c.others[1] = b;
-            } else {
-                c = {{b, no_body}, 0, now};
-            }
+        const auto known =
+            std::find_if(c.others.begin(), c.others.end(), [&](body x) { return x == b || x == no_body; });
+        if (known == c.others.end()) {
+            c = {others_from(b), 0, now};
+        } else {
+            *known = b;
         }
         if (++c.events < most) {
             return false;
@@ -34,14 +41,20 @@ class jam_watch {
         c.since = now;
         return is_jam;
     }
-    // Those among whom ball a's last events were.
-    [[nodiscard]] std::array<body, 3> around(body a) const noexcept {
-        return {a, counts_[a].others[0], counts_[a].others[1]};
+    // Ball a and those with which its last events were.
+    [[nodiscard]] jammed_bodies around(body a) const noexcept {
+        jammed_bodies all{a};
+        std::copy(counts_[a].others.begin(), counts_[a].others.end(), all.begin() + 1);
+        return all;
     }
 
   private:
+    using others = std::array<body, std::tuple_size_v<jammed_bodies> - 1>;
+
+    [[nodiscard]] static constexpr others others_from(body b) noexcept { return {b, no_body, no_body, no_body}; }
+
     struct count {
-        std::array<body, 2> others{no_body, no_body};
+        jam_watch::others others = others_from(no_body);
         std::uint64_t events = 0;
         double since = 0;
     };

@@ -164,6 +164,12 @@ class moving_scene {
         }
     }
 
+    // Puts ball a back on its flight, and only that.
+    void take_back(body a, const memory& m) {
+        balls_.movers[a].state = m.ball.state;
+        ledger_.set(a, m.image);
+    }
+
     // Gives ball a another state. A point that is still on its way, but for rounding, keeps the sides on which it
     // belongs; elsewhere they would mean nothing.
     void restate(body a, state other) {

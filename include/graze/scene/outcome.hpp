@@ -12,7 +12,7 @@ namespace graze::inline v0_1 {
 // How far to go: up to and with events at a time, or a number of events, whichever is first; without either, until
 // nothing more happens. cascade: so many events in a row of which none is certainly later than the first end the run as
 // a cascade without end; 0 stands for 1000 and a hundred more for each ball. jam: so many events in a row of one ball
-// with the same two others or fewer, during which time advances by no more than 2^-26 of itself, are a jam, which ends
+// with the same four others or fewer, during which time advances by no more than 2^-26 of itself, are a jam, which ends
 // the run as a cascade too; 0 stands for 10,000. stop_jams: balls that are jammed, but for mirrors, stop where they are
 // instead, and the others go on, until something meets one that has stopped.
 template <class T>

@@ -1,6 +1,7 @@
 // A scene's events one after the other: predict, take the earliest, let those who take part bounce, predict again.
 #pragma once
 
+#include <graze/scene/grazed_balls.hpp>
 #include <graze/scene/outcome.hpp>
 #include <graze/scene/run_steps.hpp>
 
@@ -18,7 +19,8 @@ namespace graze::inline v0_1 {
 //
 // Order. The earliest event is next, as M orders times. Events of exactly the same time that share no ball are all
 // done; of those that share one, which only M's rounding or a choice can tell apart, the first in an order that depends
-// on the scene's numbers alone, and the others are predicted again; the run counts them (outcome::choices). Where M
+// on the scene's numbers alone, and the others are predicted again, unless it was a graze, which changes no velocity;
+// the run counts them (outcome::choices). Where M
 // cannot tell the order of two events that share no ball, either is done first. The
 // sequence and all states are those of the scene, whatever the order of its lists; of two balls whose numbers are all
 // the same, either may be called by the other's index.
@@ -67,7 +69,7 @@ class run {
                 }
             }
             const detail::due<time>& d = due_[next_];
-            if (scene().is_stale(d.what)) { // an event of the same time has changed one of the two
+            if (!grazed_.leave(scene(), d.what)) { // an event of the same time has changed one of the two
                 ++next_;
                 continue;
             }
@@ -82,7 +84,7 @@ class run {
                 still_ = 0;
             }
             if (scene()[a].stopped || (b < scene().balls() && scene()[b].stopped)) {
-                return ended_by({a, b, detail::no_body}, done);
+                return ended_by({a, b, detail::no_body, detail::no_body, detail::no_body}, done);
             }
             if (still_ >= patience) {
                 const body stuck = scene()[a].immovable && b < scene().balls() ? b : a;
@@ -134,6 +136,7 @@ class run {
             changed.forecast_.scene().restate(a, std::move(other));
         }
         changed.due_.clear();
+        changed.grazed_.clear();
         changed.next_ = 0;
         changed.still_ = 0;
         changed.jams_ = detail::jam_watch(scene().balls());
@@ -155,7 +158,7 @@ class run {
         }
     }
 
-    using bodies = std::array<body, 3>;
+    using bodies = detail::jammed_bodies;
 
     // Which of the two that have just met is jammed, or no_body. Mirrors are not: nothing holds them.
     [[nodiscard]] body jammed(body a, body b, std::uint64_t most) noexcept {
@@ -179,6 +182,7 @@ class run {
 
     ending take_earliest(double until) {
         next_ = 0;
+        grazed_.clear();
         return forecast_.take_earliest(due_, until);
     }
     // Does the event due_[next_].
@@ -195,6 +199,8 @@ class run {
         auto before_a = changing.remember(a);
         auto before_b = changing.remember(two ? b : a);
         try {
+            grazed_.take_back(changing, a, d.what.count_a);
+            grazed_.take_back(changing, b, d.what.count_b);
             changing.bounce(a, b, d.what.image, d.when, !d.chosen);
             forecast_.forget();
             const double now = scene().rules().bounds(d.when).lower;
@@ -205,6 +211,10 @@ class run {
                 forecast_.foresee(b, now);
             }
             forecast_.mark_choices(d.when, due_, next_ + 1);
+            grazed_.note(changing, a, before_a);
+            if (two) {
+                grazed_.note(changing, b, before_b);
+            }
         } catch (...) {
             changing.restore(a, before_a);
             if (two) {
@@ -235,6 +245,7 @@ class run {
     detail::jam_watch jams_;
     std::vector<detail::due<time>> due_; // events of one time
     std::size_t next_ = 0;               // of due_
+    detail::grazed_balls<M> grazed_;     // at that time
     double now_ = 0;                     // not after any event to come
     double still_until_ = std::numeric_limits<double>::lowest();
     std::uint64_t still_ = 0; // events since time last went on for certain

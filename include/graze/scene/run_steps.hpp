@@ -62,7 +62,7 @@ template <mechanics M>
 
 // Names those of a jam that have not been named.
 template <mechanics M>
-void name_jam(const moving_scene<M>& scene, const std::array<body, 3>& jam, outcome& done) {
+void name_jam(const moving_scene<M>& scene, const jammed_bodies& jam, outcome& done) {
     for (const body b : jam) {
         if (b == no_body) {
             continue;
@@ -76,7 +76,7 @@ void name_jam(const moving_scene<M>& scene, const std::array<body, 3>& jam, outc
 
 // Those of a jam that can stop, stop.
 template <mechanics M>
-void stop_jam(forecast<M>& ahead, const std::array<body, 3>& jam, double now) {
+void stop_jam(forecast<M>& ahead, const jammed_bodies& jam, double now) {
     moving_scene<M>& scene = ahead.scene();
     const auto is_ball = [&](body b) { return b < scene.balls(); };
     const auto mirror = std::find_if(jam.begin(), jam.end(), [&](body b) { return is_ball(b) && scene[b].immovable; });
