@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace compare::run {
 
 namespace {
@@ -42,6 +44,9 @@ json type_of(const judged_history& j) {
     return type;
 }
 
+// Whether the states at the end are rational numbers, which have every digit.
+bool is_exact(const run_report& r) { return r.digits == std::numeric_limits<int>::max(); }
+
 } // namespace
 
 std::string to_json(const run_report& r) {
@@ -58,7 +63,7 @@ std::string to_json(const run_report& r) {
                 {"attempts", r.attempts},
                 {"seconds", r.seconds},
                 {"digits_wanted", r.digits_wanted},
-                {"digits", r.digits}};
+                {"digits", is_exact(r) ? json(nullptr) : json(r.digits)}};
     if (r.distance_of) {
         all["distance"] = {{"ball", *r.distance_of}, {"from_origin", r.distance}};
     }
