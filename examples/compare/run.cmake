@@ -1,10 +1,10 @@
 # graze-compare-run: certified runs, and runs in number types beside them. They take long to compile and are rarely wanted:
 # `./graze compare run` has them built. Static libraries, which their tests link too.
 if(NOT TARGET graze_number_mpfi)
-    set_property(SOURCE main.cpp APPEND PROPERTY COMPILE_DEFINITIONS COMPARE_HAS_MPFI=0)
+    target_compile_definitions(compare_program PRIVATE COMPARE_HAS_MPFI=0)
     return()
 endif()
-set_property(SOURCE main.cpp APPEND PROPERTY COMPILE_DEFINITIONS COMPARE_HAS_MPFI=1)
+target_compile_definitions(compare_program PRIVATE COMPARE_HAS_MPFI=1)
 
 # The proof, and how a type's run is judged by it.
 set(certified run/certified.cpp run/certified_flight.cpp run/certified_run.cpp run/certified_time.cpp run/clearance.cpp
