@@ -24,7 +24,7 @@ struct decided_foreign {
     stage decided_by;
 };
 
-// The shapes are made here, where few pairs come, so that those that the filter decides need not be.
+// The shapes are made here, for the few pairs that the filter leaves open.
 template <class A, class B>
 [[nodiscard, gnu::noinline]] constexpr decided_foreign classify_foreign(const A& a, const B& b) {
     decided_foreign r{};
@@ -32,7 +32,7 @@ template <class A, class B>
     return r;
 }
 
-// A ball of that radius alone: what is not looked at need not be read.
+// A ball with that radius only: nothing else is looked at.
 template <ball_like B>
 [[nodiscard]] constexpr auto size_of(const B& b) {
     decltype(shape_of(b)) r{};
@@ -52,7 +52,7 @@ concept filtered_pair = ball_like<A> && ball_like<B> && requires(const A& a, con
 
 } // namespace detail
 
-// What the procedure of the same name says of the shapes that these stand for: the same answer, stage and errors.
+// The answer, stage and errors of the function of the same name for the shapes that these stand for.
 template <class A, class B, class Observer = ignore_stage>
 requires foreign_pair<A, B>
 [[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const A& a, const B& b,

@@ -14,7 +14,7 @@
 
 namespace graze::inline v0_1 {
 
-// One error in place of a list of candidates.
+// One readable error instead of a list of candidates.
 template <class A, class B, class... Observer>
 requires detail::mismatched<A, B>
 constexpr void time_of_impact(const A&, const B&, Observer&&...) {

@@ -52,7 +52,7 @@ constexpr void complete_all(contact_of_movers<B>& c, encounter what, const B& a,
     complete(c, all_parts & ~given, what, a, b);
 }
 
-// The contact of two movers of which the filter leaves open whether they meet.
+// The contact of two movers whose encounter the filter leaves open.
 template <moving B>
 struct completed_contact {
     std::optional<contact_of_movers<B>> what;
@@ -102,7 +102,7 @@ template <moving B>
     return {c, stage::exact};
 }
 
-// The contact of two movers of which the filter is certain what becomes of them: no graze.
+// The contact of two movers whose encounter the filter has decided. It is no graze.
 template <moving B, class Observer>
 [[nodiscard]] constexpr std::optional<contact_of_movers<B>> contact_of(const filtered_balls& f, const B& a, const B& b,
                                                                        Observer&& observer) {

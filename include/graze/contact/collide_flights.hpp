@@ -35,7 +35,7 @@ struct clock_of_flight {
 } // namespace detail
 
 // The contact of a flight and a plane, a wall or a triangle, at its face, an edge or a corner, whichever is met first;
-// empty for recede and miss. The mass has no part in it.
+// empty for recede and miss. The mass does not matter.
 template <int N, std::floating_point T, detail::standing_in<N, T> Shape, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const flight<N, T>& f, const Shape& shape,

@@ -53,7 +53,8 @@ struct own_clock {
     }
 };
 
-// Fills in what doubles and double words are certain of, for a pair that meets near `time` if that is not 0.
+// Fills in the components of which doubles and double words are certain, for a pair that meets near `time` if that is
+// not 0.
 template <class P, int N, class T, class Shape, class Clock>
 [[nodiscard]] parts contact_by_words(P pair, wall_contact<N, T>& c, encounter what, int index, const ball<N, T>& b,
                                      const Shape& shape, double time, const Clock& clock) noexcept {
@@ -66,7 +67,7 @@ template <class P, int N, class T, class Shape, class Clock>
     return wanted == 0 ? wanted : wanted & fast_wall(pair, c, what, index, b, shape, clock);
 }
 
-// The contact of a ball for which it has been decided what becomes of it, near `time` if that is not 0.
+// The contact of a ball whose encounter has been decided, near `time` if that is not 0.
 template <class P, int N, class T, class Shape, class Observer, class Clock = own_clock>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>>
 contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, T>& b, const Shape& shape,
@@ -110,8 +111,8 @@ template <int N, class T, class Shape, class Observer>
 } // namespace detail
 
 // The contact of a ball and an infinite plane, every component correctly rounded; empty when it recedes. The ball's
-// mass has no part in it. Throws as classify does. The observer is told `exact` if integers were needed for the
-// decision or any component.
+// mass does not matter. Throws as classify does. The observer is told `exact` if integers were needed for the decision
+// or any component.
 template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<wall_contact<N, T>> collide(const ball<N, T>& b, const plane<N, T>& p,

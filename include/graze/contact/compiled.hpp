@@ -1,4 +1,4 @@
-// The cold stages of contacts that graze::compiled has, so that a unit need not compile them.
+// The cold stages of contacts, which graze::compiled contains and a unit need not compile.
 #pragma once
 
 #include <graze/contact/collide_balls.hpp>

@@ -18,7 +18,7 @@ struct exact_balls {
     W mass_a, mass_b;
 };
 
-// Of an overlap the caller sets time and positions.
+// For an overlap the caller sets time and positions.
 template <int N, class T, class M, class X, class U, class W, class From = from_now>
 constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, M, X, U, W>& e,
                            scales units, const From& counted = {}) {

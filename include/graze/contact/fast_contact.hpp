@@ -23,9 +23,9 @@ template <int N, class T>
                          : c.velocity_b[i];
 }
 
-// Components that no arithmetic is needed for, which the intervals leave open when they are 0: where a ball does not
-// move along an axis, and where both are, and move, alike. together: whether they started at one instant. Returns those
-// that are still open.
+// Fills in components that need no arithmetic and that intervals leave open when they are 0: along an axis on which a
+// ball does not move, or on which both balls have the same position and velocity. together: whether they started at one
+// instant. Returns the components that are still open.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] inline parts fill_in_at_rest(parts open_parts, contact<N, T>& c, const ball<N, T>& a,
                                                           const ball<N, T>& b, bool together) noexcept {
@@ -78,8 +78,8 @@ struct rounded_components {
     }
 };
 
-// Takes what doubles bound, of a hit near `time` from the start or of an overlap, whose time and, of balls, positions
-// the caller sets. False if nothing is known.
+// Takes the components that doubles bound, for a hit near `time` from the start or for an overlap. The caller sets an
+// overlap's time and, for balls, its positions. False if nothing is known.
 template <class Taker, moving B>
 struct hit_by_doubles {
     Taker& taken;
@@ -117,8 +117,8 @@ template <int N>
 inline constexpr parts every_part = N == 3 ? 0xffffU : 0x6db7U;
 [[nodiscard]] constexpr parts three_from(part first) noexcept { return parts{7} << static_cast<int>(first); }
 
-// Writes what no arithmetic is needed for and says what that is: of an overlap the time and the positions of those that
-// start then, of a graze the velocities, and that of a ball of infinite mass, beside which the other's is 0.
+// Writes the components that need no arithmetic and returns them: an overlap's time and the positions of balls that
+// start then, a graze's velocities, and the velocity of a ball of infinite mass (the other's mass is then given as 0).
 template <moving B, class Contact, class W>
 constexpr parts set_given(Contact& c, encounter what, const B& a, const B& b, const W& mass_a,
                           const W& mass_b) noexcept {

@@ -9,8 +9,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Takes numbers and writes those that leave no doubt how they are rounded. An exact 0 is certain where no rounding led
-// to it; what is below 2^-500 is left open.
+// Takes numbers and writes those whose rounding is certain. An exact 0 is certain if no rounding led to it; anything
+// below 2^-500 is left open.
 template <int N, class T>
 class rounded_words {
   public:

@@ -10,7 +10,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Takes numbers and writes those that leave no doubt how they are rounded.
+// Takes numbers and writes those whose rounding is certain.
 template <int N, class T>
 class rounded_parts {
   public:

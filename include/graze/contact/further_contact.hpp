@@ -1,4 +1,4 @@
-// The contact of two movers beyond the fast road: scaled where their units are odd, and in double words.
+// The contact of two movers that plain doubles leave open: scaled if their units are unusual, then in double words.
 #pragma once
 
 #include <graze/contact/word_contact.hpp>
@@ -45,14 +45,15 @@ template <int N>
     return done;
 }
 
-// What becomes of two movers, as a number, by the stage given, and which components of their contact have been written.
+// The encounter of two movers as a number, the stage that decided it, and the components of their contact that have
+// been written.
 struct further_contact {
     int what = undecided;
     stage decided_by = stage::double_word;
     parts certain = 0;
 };
 
-// Of movers whose units are odd, by the filter and doubles.
+// For movers in unusual units: by the filter and doubles, after scaling.
 template <moving B>
 [[nodiscard, gnu::noinline]] further_contact contact_scaled(contact<dimension_of<B>, double>& c, const B& a, const B& b,
                                                             double mass_a, double mass_b) noexcept {

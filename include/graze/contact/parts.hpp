@@ -1,4 +1,4 @@
-// The components of a contact by number, so that each way of rounding can do those that another has left.
+// The components of a contact by number, so that each stage can round those that the stage before left open.
 #pragma once
 
 #include <graze/exact/workspace.hpp>
@@ -15,7 +15,7 @@ enum class wall_part { position = 1, point = 4, normal = 7, velocity = 10 };
 
 [[nodiscard]] constexpr bool has_time(parts wanted) noexcept { return (wanted & 1U) != 0; }
 
-// x[i] = f(i) for the components of x that are wanted; its first one has the number `first`. What f takes of the
+// x[i] = f(i) for the components of x that are wanted; its first one has the number `first`. Whatever f takes from the
 // workspace is given back.
 template <int N, class T, class Part, class F>
 constexpr void fill(vec<N, T>& x, parts wanted, Part first, workspace* room, F f) {

@@ -135,7 +135,7 @@ template <bool Fused, moving B, class F>
                  1.0001 * y_error / w.motion.R.high + 0x1p-100, 1.0001 * w.root_error / s.high + 0x1p-98, take);
 }
 
-// What becomes of two movers in words, as a number, and whether they were in range.
+// The encounter of two movers by double words, as a number, and whether they were in range.
 struct words_of_contact {
     int what;
     bool in_range;

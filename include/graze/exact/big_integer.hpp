@@ -1,7 +1,7 @@
 // Integers of any size: one type for all formulas whose inputs have more than a limb.
 //
-// A type a width, as integer<Bits> has it, is fast and makes overflow impossible, and every formula is compiled once
-// for every width that leads to one. Where that costs more than it brings, the width is known when running.
+// With integer<Bits> every width is a type: that is fast and makes overflow impossible, but each formula is compiled
+// once per width. Where that costs more than it gains, the width is a value at run time.
 #pragma once
 
 #include <graze/exact/digits.hpp>
@@ -19,7 +19,7 @@ struct vec;
 namespace detail {
 
 // ± Σ digit_i 2^(64 (low + i)), the digits in [-2^63, 2^63), the first and the last not 0: the sign is that of the last
-// one, since all below amount to less than its unit. What lies between numbers of far exponents is zeros, whose rows in
+// one, since all below amount to less than its unit. Between numbers with exponents far apart lie zeros, whose rows in
 // a product cost nothing. A value: its digits, which lie in a workspace or are constants, never change.
 class big_integer {
   public:

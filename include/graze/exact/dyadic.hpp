@@ -13,9 +13,8 @@
 
 namespace graze::inline v0_1 {
 
-// An integer times a power of two, as long as it has to be: sums and products are exact, whatever went before. It
-// allocates, and is for what happens rarely and has no bound on its length; where the width is known, `integer` is
-// faster by far.
+// An integer of any length times a power of two: sums and products are always exact. It allocates, so it is for rare
+// cases without a bound on the length; where the width is known, `integer` is much faster.
 class dyadic {
   public:
     dyadic(int x = 0) : dyadic(x, 0) {}

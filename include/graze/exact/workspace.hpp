@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Who takes digits writes them and then keeps as many as the result has. Exponents as far apart as can be take under
-// two thirds of the room, which is measured and not proved; a program that runs out of it ends.
+// Take digits, write them, then keep as many as the result has. Inputs with exponents as far apart as possible need
+// less than two thirds of the room. This is measured, not proved; a program that runs out of it ends.
 class workspace {
   public:
     constexpr workspace(std::int64_t* digits, int capacity) noexcept : next_(digits), end_(digits + capacity) {}
@@ -22,7 +22,7 @@ class workspace {
     }
     constexpr void keep_until(std::int64_t* end) noexcept { next_ = end; }
 
-    // What is taken while it lives is given back when it ends; it ends before what it keeps is used.
+    // Whatever is taken during its lifetime is given back at its end.
     class scope {
       public:
         constexpr explicit scope(workspace* w) noexcept : workspace_(w), mark_(w != nullptr ? w->next_ : nullptr) {}

@@ -1,4 +1,4 @@
-// A ball and the line of a border of a flat thing, or its corner, in inner products.
+// A ball and the line of a flat shape's border, or its corner, in inner products.
 //
 // The way of the centre passes the line of an edge d at |d·(w × u)|/|d × u|, where d·(w × u) is a sum of what flat_way
 // has.

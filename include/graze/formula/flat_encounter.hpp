@@ -1,5 +1,5 @@
-// What becomes of a ball and a flat, convex thing, and which feature it meets: one procedure for every number type,
-// which asks first what settles most pairs.
+// The encounter of a ball with a flat, convex shape, and the feature that it meets: one procedure for every number
+// type. It asks first what decides most pairs.
 //
 // A ball that is not over the thing now meets it exactly if its centre's line passes it at less than r. Where the line
 // crosses the plane leaves one feature that is nearest to it: the face, an edge or a corner. That feature's h tells
@@ -11,7 +11,7 @@
 
 namespace graze::inline v0_1 {
 
-// What is seen from afar: recede or miss of most pairs that are apart. Not certain if the edges may be parallel.
+// Decides recede or miss for most pairs that are apart. Not certain if the edges may be parallel.
 template <int N, class T, class Judge>
 [[nodiscard, gnu::always_inline]] constexpr inline flat_answer from_afar(const flat_motion<N, T>& m,
                                                                          const Judge& judge) {
@@ -31,7 +31,7 @@ class flat_decision : public flat_entry<N, T, Judge> {
   public:
     using flat_entry<N, T, Judge>::flat_entry;
 
-    // what alone; the feature is set by chance.
+    // Only `what`; the feature means nothing.
     [[nodiscard, gnu::always_inline]] constexpr flat_answer what() const {
         const int speed = judge_(way_speed{}, way_);
         if (speed == open_sign) {

@@ -1,5 +1,5 @@
-// Which feature of a flat thing a ball touches first: the one that is the closest when it is touched, so that no two
-// times are compared.
+// Which feature of a flat shape a ball touches first: the one that is the closest at the touch. So no two times are
+// compared.
 #pragma once
 
 #include <graze/formula/flat_sight.hpp>
@@ -76,7 +76,7 @@ class flat_entry : public flat_sight<N, T, Judge> {
                : y == open_sign  ? open_sign
                                  : -y;
     }
-    // Of conditions, each a sign that must not be -1: what they say together.
+    // Several conditions, each a sign that must not be -1, taken together.
     template <class... Signs>
     [[nodiscard]] static constexpr verdict all_of(Signs... signs) {
         return ((signs == -1) || ...)          ? no

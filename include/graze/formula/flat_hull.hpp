@@ -1,4 +1,4 @@
-// What is certain of a ball and a flat thing from afar, without a look at features.
+// What is certain of a ball and a flat shape without looking at features.
 #pragma once
 
 #include <graze/formula/flat_motion.hpp>

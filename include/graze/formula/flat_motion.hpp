@@ -1,4 +1,4 @@
-// A ball and a flat, convex thing: a segment in the plane, a parallelogram or a triangle in space.
+// A ball and a flat, convex shape: a segment in the plane, a parallelogram or a triangle in space.
 #pragma once
 
 #include <graze/linear/vec.hpp>

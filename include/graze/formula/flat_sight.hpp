@@ -1,4 +1,4 @@
-// What a flat thing looks like to a ball: which feature is nearest to a line, and the numbers of a feature.
+// A flat shape as a ball sees it: which feature is nearest to a line, and the numbers of a feature.
 #pragma once
 
 #include <graze/formula/encounter.hpp>

@@ -1,4 +1,4 @@
-// Where the line of a ball's way crosses the plane of a flat thing.
+// Where a ball's path crosses the plane of a flat shape.
 //
 // Seen along a line with direction g through its centre, the ball is a point and the thing a polygon. The line crosses
 // the thing's plane at λ_i = at_i/(g·n), both by one determinant (Cramer's rule for w = Σ λ_i e_i - t g). The way g = u

@@ -74,7 +74,7 @@ class direct_judge {
     bool is_triangle_;
 };
 
-// What becomes of it in T, and which feature it meets or, if it recedes, is the closest to.
+// The encounter in T, and the feature that is met or, if the ball recedes, the closest one.
 template <class Judge, int N, class T>
 [[nodiscard]] constexpr flat_answer decide_directly(const flat_motion<N, T>& m, const Judge& judge) {
     const auto way = way_of(m);

@@ -1,4 +1,4 @@
-// Which feature of a wall or a triangle a ball meets, and what becomes of it.
+// The encounter of a ball with a wall or a triangle, and its feature.
 #pragma once
 
 #include <graze/formula/encounter.hpp>

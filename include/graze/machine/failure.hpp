@@ -1,5 +1,4 @@
-// How a procedure ends that cannot go on: by an exception or, where a unit is compiled without exceptions, with the
-// program.
+// How a function fails: by an exception or, in a unit without exceptions, by ending the program.
 #pragma once
 
 #include <cstdio>
@@ -7,9 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-// Units of both kinds may be parts of one program. Procedures that the linker finds in several units are kept once,
-// from whichever unit; so that a unit with exceptions always gets its exception, the other kind throws too if any unit
-// can.
+// Units of both kinds may be linked into one program. The linker keeps one copy of an inline function, from any unit.
+// So that a unit with exceptions always gets its exception, the other kind throws too if any unit of the program can.
 namespace graze::inline v0_1::detail {
 
 #if defined(__cpp_exceptions)

@@ -1,4 +1,4 @@
-// Code with error-free products, compiled for machines with a fused multiply-add and for machines without one.
+// Runs code with error-free products, compiled both with and without fused multiply-adds.
 #pragma once
 
 #include <graze/machine/error_free.hpp>

@@ -1,4 +1,4 @@
-// As many numbers as a register holds, worked on side by side: what a batch computes with.
+// As many numbers as a register holds, computed side by side: the numbers of a batch.
 #pragma once
 
 #include <bit>
@@ -63,8 +63,8 @@ struct pack_mask {
     [[nodiscard, gnu::always_inline]] friend inline pack_mask operator~(pack_mask x) noexcept { return {~x.value}; }
 };
 
-// A number a lane, with the operators of a number. How many lanes is part of the type, and so of the name of everything
-// that is made for it: units that are compiled for other registers share none of it.
+// One number per lane, with the operators of a number. How many lanes is part of the type, and so of the name of
+// everything that is made for it: units that are compiled for other registers share none of it.
 template <class T, int Lanes>
 struct pack {
     using scalar = T;

@@ -1,4 +1,4 @@
-// Error-free transforms, square roots and ranges in lanes: what is asked of a type that is none of the compiler's.
+// Error-free transforms, square roots and range checks for packs of lanes.
 #pragma once
 
 #include <graze/machine/error_free.hpp>

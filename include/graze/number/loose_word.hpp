@@ -1,4 +1,4 @@
-// A double word that is not put in order after every step: half the operations, a quarter of the time.
+// A double word that is not normalised after every step: half the operations, a quarter of the time.
 #pragma once
 
 #include <graze/machine/error_free.hpp>

@@ -1,5 +1,5 @@
-// What becomes of a ball and a flat thing, by the stages after the first: sums of two doubles, then integers. All is
-// compiled once for a dimension and a type of inputs.
+// The encounter of a ball with a flat shape by the later stages: double words, then integers. All of it is compiled
+// once per dimension and input type.
 #pragma once
 
 #include <graze/exact/approximate.hpp>
@@ -12,7 +12,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// what: the feature is set by chance. clearance: overlap of things that are inside each other now, else miss.
+// what: its feature means nothing. clearance: overlap of things that are inside each other now, else miss.
 enum class flat_question : std::uint8_t { what, feature, clearance };
 
 struct no_guess {};
@@ -144,7 +144,7 @@ struct scaled_row {
     explicit scaled_row(const T* row) noexcept : length(row, P::lengths), velocity(row + P::lengths, P::velocities) {}
 };
 
-// In numbers that carry their error along.
+// In numbers with a running error.
 template <class Number, class Judge, int N, class T>
 [[nodiscard, gnu::noinline]] flat_answer answer_by_bounds(const T* row, bool is_triangle,
                                                           flat_question question) noexcept {

@@ -1,4 +1,4 @@
-// Bad input, named: which argument, which field, what is wrong. Called off the fast path.
+// Names bad input: which argument, which field, what is wrong. Not on the fast path.
 #pragma once
 
 #include <graze/exact/binary.hpp>

@@ -1,4 +1,4 @@
-// Two shapes that are no pair: of different number types or dimensions.
+// Two shapes of different number types or dimensions, which are no pair.
 #pragma once
 
 #include <graze/shape/ball.hpp>

@@ -1,4 +1,4 @@
-// What moves: a ball, which is a flight since 0, or a flight. What is written for movers serves both.
+// A mover is a ball, which is a flight since 0, or a flight. Code for movers serves both.
 #pragma once
 
 #include <graze/exact/binary.hpp>
@@ -36,7 +36,7 @@ inline constexpr bool is_flight = false;
 template <int N, class T>
 inline constexpr bool is_flight<flight<N, T>> = true;
 
-// Of a flight the ball; of anything else, which stands still or counts from 0, itself.
+// A flight's ball; anything else as it is.
 template <class B>
 [[nodiscard, gnu::always_inline]] constexpr inline const B& state_of(const B& b) noexcept {
     return b;

@@ -8,7 +8,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// So many pairs at a time: what is remembered of them is small, and lies on the stack.
+// The number of pairs decided at a time: small enough for the stack.
 inline constexpr std::size_t block_size = 256;
 
 struct open_pairs {

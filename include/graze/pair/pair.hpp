@@ -14,7 +14,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Two numbers at a time, and not in a loop: a pair that is read as one soon after was better written as one.
+// Two numbers at a time and without a loop: they are soon read as pairs, which is faster if they were written as pairs.
 template <int N, class T>
 [[gnu::always_inline]] constexpr inline void copy_vector(T* row, const vec<N, T>& x) noexcept {
     if (std::is_constant_evaluated()) {

@@ -1,4 +1,4 @@
-// What becomes of a ball and a plane, by its stages.
+// The encounter of a ball with a plane, stage by stage.
 #pragma once
 
 #include <graze/formula/encounter.hpp>

@@ -5,7 +5,7 @@ namespace graze::inline v0_1 {
 
 // The stages of an answer, each wider than the one before. filter: doubles with a bound that is the same for all
 // motions of one size. refined: doubles in the form that cancels least, with a bound from what is added up.
-// double_word: sums of two doubles that carry their error along. exact: integers.
+// double_word: sums of two doubles with a running error. exact: integers.
 #if defined(__GNUC__) && !defined(__clang__) // which takes an enumerator for a shadow of the class double_word
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"

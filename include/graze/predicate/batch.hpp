@@ -1,4 +1,4 @@
-// What becomes of many pairs, asked at once.
+// The encounters of many pairs, decided together.
 #pragma once
 
 #include <graze/pair/batch_blocks.hpp>
@@ -56,8 +56,8 @@ struct batch_overlaps {
 
 namespace batch {
 
-// What becomes of each ball of a and the ball of the same index of b, or the one ball, plane or wall b: what[i] is
-// classify(a[i], b[i]), bit for bit. a: a contiguous range of balls, or columns; so is b where there is one for each
+// The encounter of each ball of a with the ball of the same index in b, or with the one ball, plane, wall or triangle
+// b: what[i] is classify(a[i], b[i]). a: a contiguous range of balls, or columns; so is b where there is one for each
 // ball of a. Throws std::invalid_argument, before anything is written, if sizes differ; and what classify throws, the
 // message beginning with "pair " and the first index of which the input is bad: then all answers before that are
 // written, and any of those after it may be. Calls share nothing: parts of a batch may be asked by several threads.
@@ -67,7 +67,7 @@ void classify(const A& a, const B& b, std::span<encounter> what) {
     detail::decide_all<detail::batch_classify, Mode>(detail::source_of(a), detail::source_of(b), what);
 }
 
-// Whether each is inside the other: inside[i] is overlaps(a[i], b[i]). As classify else.
+// Whether the two of each pair are inside each other: inside[i] is overlaps(a[i], b[i]). Otherwise as classify.
 template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void overlaps(const A& a, const B& b, std::span<bool> inside) {

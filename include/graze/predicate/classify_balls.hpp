@@ -1,4 +1,4 @@
-// What becomes of two balls or two flights, exactly.
+// The exact encounter of two balls or two flights.
 #pragma once
 
 #include <graze/pair/exact_sign.hpp>
@@ -79,7 +79,7 @@ template <moving B>
     return with_exact_balls(a, b, exact_encounter{});
 }
 
-// What becomes of two movers, and the stage that was needed.
+// The encounter of two movers, and the stage that decided it.
 struct decided_balls {
     encounter what;
     stage decided_by;
@@ -112,7 +112,7 @@ template <moving B, class Observer>
     return further.what;
 }
 
-// 32-bit integers as numbers whose widths the type tracks.
+// 32-bit integers as numbers whose widths are part of their types.
 template <int N, class T>
 [[nodiscard]] constexpr ball<N, integer<32>> as_integers(const ball<N, T>& b) noexcept {
     const auto vector = [](const vec<N, T>& x) { return make_vec<N>([&](int i) { return integer<32>(x[i]); }); };
@@ -149,8 +149,8 @@ requires is_binary_input<T>
     return detail::classify_movers(a, b, observer);
 }
 
-// What the encounters of balls mean at t = 0 those of flights mean at t0, the later one's `since`: from then on both
-// are on their way. The motion before is exact, nothing is rounded. Laws 1 to 6, with t0 for an overlap's time, and
+// For flights, encounters mean at t0, the later `since`, what they mean for balls at t = 0. The motion before t0 is
+// exact: nothing is rounded. Laws 1 to 6, with t0 for an overlap's time, and
 //   12. flights of one `since` do what their balls do;
 //   13. the answer stays the same when every `since` is shifted by one number, if the sums are exact.
 

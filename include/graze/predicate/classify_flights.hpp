@@ -1,4 +1,4 @@
-// What becomes of a flight and a plane, a wall or a triangle, exactly.
+// The exact encounter of a flight with a plane, a wall or a triangle.
 #pragma once
 
 #include <graze/predicate/classify_balls.hpp>

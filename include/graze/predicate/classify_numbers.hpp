@@ -104,8 +104,8 @@ template <int N, class T, class Shape>
 
 } // namespace detail
 
-// What becomes of a pair, exactly. Throws std::domain_error for a negative radius, a zero normal, a zero edge or
-// parallel edges.
+// The exact encounter of a pair. Throws std::domain_error for a negative radius, a zero normal, a zero edge or parallel
+// edges.
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const ball<N, T>& a, const ball<N, T>& b) {
     detail::inspect_numbers(a, detail::rejecting{"ball a"});
@@ -132,7 +132,7 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr encounter classify(const b
     return detail::decide_in_numbers(b, t).what;
 }
 
-// And of which feature, as classify_feature of doubles.
+// The encounter and its feature, as classify_feature gives them for doubles.
 template <int N, exact_number T>
 requires(!is_binary_input<T>) [[nodiscard]] constexpr wall_encounter
     classify_feature(const ball<N, T>& b, const plane<N, T>& p) {
@@ -149,7 +149,7 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr wall_encounter
     return detail::decide_in_numbers(b, t);
 }
 
-// In an inexact type that classify has no proven filter for, the formulas promise nothing.
+// For an inexact type without a proven filter, formulas promise nothing.
 template <int N, number T, class Other>
 requires(!is_binary_input<T> && !exact_number<T>) constexpr encounter classify(const ball<N, T>&, const Other&) {
     static_assert(is_binary_input<T>,

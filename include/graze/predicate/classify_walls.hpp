@@ -1,4 +1,4 @@
-// What becomes of a ball and a plane, a wall or a triangle, exactly.
+// The exact encounter of a ball with a plane, a wall or a triangle.
 #pragma once
 
 #include <graze/formula/encounter.hpp>

@@ -1,4 +1,4 @@
-// What becomes of a ball and a wall or a triangle, and which feature it meets, exactly.
+// The exact encounter of a ball with a wall or a triangle, and the feature that it meets.
 #pragma once
 
 #include <graze/pair/flat_stages.hpp>

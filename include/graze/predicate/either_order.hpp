@@ -1,4 +1,4 @@
-// A plane, wall or triangle as the first argument, the ball or flight as the second.
+// A plane, wall or triangle as the first argument and a ball or flight as the second.
 #pragma once
 
 #include <graze/pair/mismatch.hpp>
@@ -6,7 +6,7 @@
 
 namespace graze::inline v0_1 {
 
-// What is asked of things that meet does not depend on their order.
+// The answers do not depend on the order of the arguments.
 template <detail::standing Shape, class Ball, class... Observer>
 requires(!detail::standing<Ball> && !detail::mismatched<Shape, Ball>)
     [[nodiscard]] constexpr auto classify(const Shape& shape, const Ball& b, Observer&&... observer) {

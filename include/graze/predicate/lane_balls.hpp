@@ -1,4 +1,4 @@
-// What becomes of two balls, in as many pairs at a time as a register has lanes.
+// The encounters of balls with balls: as many pairs at a time as a register has lanes.
 #pragma once
 
 #include <graze/predicate/filtered_balls.hpp>
@@ -79,7 +79,7 @@ template <int N, class V>
     return {encounter_codes(lane.parting, lane.inside, lane.missing), lane.open};
 }
 
-// Velocities have no part in the answer, but a bad one is still bad.
+// The answer does not depend on velocities, but bad ones are still rejected.
 template <int N, class V>
 [[nodiscard, gnu::always_inline]] inline lane_overlaps<V> overlaps_lanes(const ball<N, V>& a,
                                                                          const ball<N, V>& b) noexcept {

@@ -1,4 +1,4 @@
-// What becomes of balls and a plane, in as many balls at a time as a register has lanes.
+// The encounters of balls with a plane: as many balls at a time as a register has lanes.
 #pragma once
 
 #include <graze/formula/plane_crossing.hpp>

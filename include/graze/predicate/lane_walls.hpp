@@ -1,5 +1,5 @@
-// What becomes of balls and a wall or a triangle, in as many balls at a time as a register has lanes: what is seen from
-// afar, and what crosses the face. Of balls that come near a border lanes say nothing.
+// The encounters of balls with a wall or a triangle: as many balls at a time as a register has lanes. Lanes decide what
+// is seen from afar and what crosses the face; a ball that comes near a border they leave open.
 #pragma once
 
 #include <graze/machine/pack_transforms.hpp>

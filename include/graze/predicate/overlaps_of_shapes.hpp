@@ -11,7 +11,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// By the sign of c alone. Velocities have no part in the answer of balls, but a bad one is still bad.
+// By the sign of c alone. For balls the answer does not depend on velocities, but bad ones are still rejected.
 template <moving B, class Observer>
 [[nodiscard]] constexpr bool movers_overlap(const B& a, const B& b, Observer&& observer) {
     using T = number_in<B>;

@@ -1,4 +1,4 @@
-// What planes and walls a point comes to at one time.
+// The planes and walls that a point reaches at one time.
 #pragma once
 
 #include <graze/scene/junction.hpp>

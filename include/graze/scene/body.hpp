@@ -1,4 +1,4 @@
-// How a run numbers what it is of.
+// How a run numbers the parts of its scene.
 #pragma once
 
 #include <array>

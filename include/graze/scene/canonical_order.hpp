@@ -1,4 +1,4 @@
-// An order of the parts of a scene that depends on what they are, not on where they stand in its lists.
+// An order of a scene's parts that depends on their numbers, not on their places in its lists.
 #pragma once
 
 #include <graze/shape/ball.hpp>
@@ -54,8 +54,8 @@ requires requires(const W& w) { w.edge; }
     return order < 0;
 }
 
-// The indices of the parts in that order; of equal parts by their marks, if there are any; those of parts between which
-// nothing tells as they come.
+// The indices of the parts in that order. Equal parts are ordered by their marks, if there are any; identical ones stay
+// as they come.
 template <class Part>
 [[nodiscard]] std::vector<int> canonical_order(std::span<const Part> pieces, std::span<const std::uint8_t> marks = {}) {
     std::vector<int> order(pieces.size());

@@ -1,4 +1,4 @@
-// Which points of space are near another one: cells of many sizes.
+// The points near another one, by cells of many sizes.
 #pragma once
 
 #include <graze/linear/vec.hpp>

@@ -1,4 +1,4 @@
-// Bad input in a scene, named: which part, which field, what is wrong.
+// Names bad input in a scene: which part, which field, what is wrong.
 #pragma once
 
 #include <graze/pair/input_check.hpp>

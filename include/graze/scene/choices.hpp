@@ -1,11 +1,11 @@
-// Between which events of one time a run has to choose.
+// The events of one time between which a run has to choose.
 #pragma once
 
 #include <graze/scene/earliest.hpp>
 
 namespace graze::inline v0_1::detail {
 
-// The balls, but for mirrors, of the events that are due at one time.
+// The balls, except mirrors, of the events of one time.
 class due_balls {
   public:
     // Notes whose they are, and marks the events that share a ball with another one.

@@ -1,4 +1,4 @@
-// Of what a run has foreseen, that which is exactly the earliest.
+// The exactly earliest of the events that a run has predicted.
 #pragma once
 
 #include <graze/scene/moving_scene.hpp>
@@ -23,7 +23,7 @@ struct due {
     return x.a == y.a && x.b == y.b && x.image == y.image;
 }
 
-// Sorts what may be the earliest by bodies, which is the canonical order, and drops what was foreseen twice.
+// Sorts the candidates by bodies, which is the canonical order, and drops duplicates.
 template <class Time>
 void put_in_order(std::vector<due<Time>>& nearest) {
     if (nearest.size() < 2) {
@@ -37,16 +37,16 @@ void put_in_order(std::vector<due<Time>>& nearest) {
     nearest.erase(std::unique(nearest.begin(), nearest.end(), is_same), nearest.end());
 }
 
-// Whether the two have a ball in common. That they have a mirror in common means nothing to either.
+// Whether the two events share a ball. A shared mirror does not count: nothing changes it.
 template <mechanics M>
 [[nodiscard]] bool share_a_ball(const moving_scene<M>& scene, const foreseen& x, const foreseen& y) noexcept {
     const auto is_shared = [&](body a) { return a < scene.balls() && !scene[a].immovable && (a == y.a || a == y.b); };
     return is_shared(x.a) || is_shared(x.b);
 }
 
-// Where M cannot tell the order of some: one before which there is certainly no other comes first, with those that are
-// certainly of its time. What may be earlier but shares no ball with it is as well done later, if it happens at all:
-// what has no last time may not. Throws M's undecided where the order matters, or whether two meet.
+// For a mechanics that cannot order all of them: takes an event before which there is certainly no other, and those
+// that are certainly simultaneous with it. An event that may be earlier but shares no ball with it can be done later.
+// Throws M's undecided where the order matters, or where it is open whether two meet.
 template <mechanics M>
 void select_earliest_known(const moving_scene<M>& scene, const std::vector<due<typename M::time>>& nearest,
                            std::vector<due<typename M::time>>& earliest) {

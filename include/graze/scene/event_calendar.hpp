@@ -1,4 +1,4 @@
-// When each ball of a run has its next event, the earliest first.
+// The next event of each ball of a run, the earliest first.
 #pragma once
 
 #include <graze/scene/body.hpp>
@@ -13,10 +13,10 @@
 
 namespace graze::inline v0_1::detail {
 
-// One instant a ball. The near future is cut into buckets of like length, each a list of the balls that are due in it;
-// of the bucket at hand there is a heap, which is small, and what is later than all buckets waits in one more list.
-// When the buckets are used up they are laid anew over what waits. All of it is in no order but the heap's, so that
-// an instant is changed in a few steps, however many balls there are.
+// One time per ball. The near future is cut into buckets of equal length, each a list of the balls whose events are in
+// it. The current bucket is a small heap; later events wait in one more list. When the buckets are used up, new ones
+// are laid over the waiting events. Only the heap is ordered, so that changing a time takes a few steps however many
+// balls there are.
 //
 // A bucket is found by a function of the time that rounding leaves monotonic, computed in one place: what is in an
 // earlier bucket is not later.
@@ -69,7 +69,8 @@ class event_calendar {
         }
         return heap_.front().second;
     }
-    // Whether nobody but the earliest is due until a time. False where that is not known without a longer search.
+    // Whether the earliest ball is the only one with an event up to a time. False if that takes a longer search to
+    // know.
     [[nodiscard]] bool is_only_until(double time) const noexcept {
         const double second = heap_.size() > 2   ? std::min(heap_[1].first, heap_[2].first)
                               : heap_.size() > 1 ? heap_[1].first

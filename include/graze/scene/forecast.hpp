@@ -1,4 +1,4 @@
-// What the balls of a run will do.
+// The predicted events of a run's balls.
 #pragma once
 
 #include <graze/scene/choices.hpp>
@@ -15,8 +15,8 @@ namespace graze::inline v0_1::detail {
 // belong to it, with what stands, and with its shell, which it may leave. So what happens first to anyone is in some
 // ball's plan, unless that is stale: its partner has changed since, and the ball looks again when its time comes.
 //
-// A change of the scene is foreseen first, which may throw and then has changed nothing here, and accepted afterwards,
-// which does not.
+// A change of the scene is predicted first, which may throw and then changes nothing here; it is accepted afterwards,
+// which does not throw.
 template <mechanics M>
 class forecast : public lookout<M> {
   public:
@@ -36,7 +36,7 @@ class forecast : public lookout<M> {
         }
     }
 
-    // Foresees what ball a, whose flight has changed at a time not before `now`, will do.
+    // Predicts the next event of ball a, whose flight has changed at a time not before `now`.
     void foresee(body a, double now) { pending_.push_back({a, look(a, now, true)}); }
     // Marks those of the events due at the time `now`, from one on, that share a ball with what has been foreseen, if
     // it is of just that time.
@@ -127,7 +127,7 @@ class forecast : public lookout<M> {
     }
     [[nodiscard]] plan look_again(body a, double now) const { return look(a, now, false); }
 
-    // Gives ball a another shell. Where it is not certain that it leaves that one after what it meets, a wider one.
+    // Gives ball a another shell: a wider one where it is not certain that its next event comes before it leaves.
     void renew(body a) {
         const double now = plans_[a].lower;
         const auto f = about(a);
@@ -191,7 +191,7 @@ class forecast : public lookout<M> {
 
     event_calendar calendar_;
     std::vector<plan> plans_;
-    std::vector<std::pair<body, plan>> pending_; // this and what follows stand here so that an event allocates nothing
+    std::vector<std::pair<body, plan>> pending_; // members, so that an event allocates nothing
     std::vector<foreseen> found_;
     std::vector<due<time>> nearest_;
     std::vector<body> taken_;

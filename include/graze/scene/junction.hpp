@@ -1,4 +1,4 @@
-// Where a point meets several planes and walls at one instant, and in which order.
+// A place where a point meets several planes and walls at one instant, and the order in which it meets them.
 #pragma once
 
 #include <graze/formula/plane_crossing.hpp>

@@ -1,4 +1,4 @@
-// On which side of planes and walls a point is.
+// The sides of planes and walls on which a point is.
 #pragma once
 
 #include <graze/scene/body.hpp>

@@ -1,5 +1,5 @@
-// What a run of a scene asks of a number type. The run is written once for all of them and compares no numbers itself:
-// every decision that can change the sequence of events is the mechanics'.
+// What a run asks of a number type. The run is written once for all of them and compares no numbers itself: the
+// mechanics makes every decision that can change the sequence of events.
 #pragma once
 
 #include <graze/formula/wall_encounter.hpp>

@@ -1,4 +1,4 @@
-// Who meets whom in a scene.
+// The two of an event in a scene.
 #pragma once
 
 #include <compare>

@@ -52,13 +52,13 @@ class moving_scene {
     [[nodiscard]] body bodies() const noexcept { return standing_.end(); }
     [[nodiscard]] mover<state>& operator[](body a) noexcept { return balls_.movers[a]; }
     [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return balls_.movers[a]; }
-    // Asks for a ball that will soon be looked at, without waiting for it.
+    // Prefetches a ball that will soon be looked at.
     void fetch(body a) const noexcept {
         __builtin_prefetch(&balls_.movers[a]);
         __builtin_prefetch(&balls_.movers[a].last); // at the other end
     }
-    // Of a ball's events; what was foreseen with another count is no longer true. An immovable ball's flight never
-    // changes, nor does its count.
+    // The number of a ball's events; a prediction made with another count is stale. An immovable ball's count never
+    // changes.
     [[nodiscard]] std::uint32_t count(body a) const noexcept { return counts_[a]; }
     // In a scene that has a period: so many of them it has gone back.
     [[nodiscard]] image_index gone(body a) const noexcept { return ledger_.gone(a); }
@@ -244,7 +244,7 @@ class moving_scene {
     images<M> images_;
     standing_parts<M> standing_;
     numbered_balls<M> balls_;
-    std::vector<std::uint32_t> counts_; // beside one another, for they are asked of far more than flights are
+    std::vector<std::uint32_t> counts_; // side by side, since they are read far more often than flights
     image_ledger ledger_;
     std::vector<passage> passed_;        // immovable balls, and what stands that they have met
     std::vector<point_among<M>> points_; // if there are any and something that they can meet

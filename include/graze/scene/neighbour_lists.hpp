@@ -1,4 +1,4 @@
-// For each ball of a run, those that it may meet while it is in its shell.
+// The neighbours of each ball of a run: those that it may meet while it is in its shell.
 #pragma once
 
 #include <graze/scene/body.hpp>

@@ -1,4 +1,4 @@
-// What a run is asked for, what it tells while it goes on, and how it ended.
+// A run's limits, what its observer is told, and its outcome.
 #pragma once
 
 #include <graze/scene/mechanics.hpp>
@@ -24,8 +24,8 @@ struct run_limits {
     bool stop_jams = false;
 };
 
-// Whether balls are offered to their neighbours in shells, or to everyone. A
-// sequence of events does not depend on it. [surroundings.hpp]
+// Whether balls are examined with their neighbours in shells, or with every other ball. A sequence of events does not
+// depend on it. [surroundings.hpp]
 enum class cells { where_useful, none };
 
 // time: every event up to the time asked for has been done. events: so many have been. exhausted: nothing more will
@@ -79,7 +79,7 @@ struct run_event {
     bool chosen;
 };
 
-// The observer of a run that nobody watches.
+// The observer that is told nothing.
 struct ignore_event {
     template <class E>
     constexpr void operator()(const E&) const noexcept {}

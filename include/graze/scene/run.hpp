@@ -1,4 +1,4 @@
-// A scene's events one after the other: predict, take the earliest, let those who take part bounce, predict again.
+// A scene's events one after the other: predict, take the earliest, let its two bounce, predict again.
 #pragma once
 
 #include <graze/scene/grazed_balls.hpp>
@@ -20,16 +20,14 @@ namespace graze::inline v0_1 {
 // Order. The earliest event is next, as M orders times. Events of exactly the same time that share no ball are all
 // done; of those that share one, which only M's rounding or a choice can tell apart, the first in an order that depends
 // on the scene's numbers alone, and the others are predicted again, unless it was a graze, which changes no velocity;
-// the run counts them (outcome::choices). Where M
-// cannot tell the order of two events that share no ball, either is done first. The
-// sequence and all states are those of the scene, whatever the order of its lists; of two balls whose numbers are all
-// the same, either may be called by the other's index.
-// Rules. Two that have met are not offered to each other again until one of them has had another event. A point stays
-// on the side of a plane or wall from which it came, wherever its position was rounded to. Balls that overlap and
-// approach, at the start or later, are resolved at once along their line of centres; a ball that cuts a plane or wall
-// and goes deeper, likewise. A ball of infinite mass is a mirror: nothing changes its flight.
-// Nothing is lost: when an exception passes, the run stands as it was before the event at hand (or, of the observer's
-// own exceptions, after it), and advance may be called again.
+// the run counts them (outcome::choices). Where M cannot tell the order of two events that share no ball, either is
+// done first. The sequence and all states are those of the scene, whatever the order of its lists; of two balls whose
+// numbers are all the same, either may be called by the other's index. Rules. Two that have met are not offered to each
+// other again until one of them has had another event. A point stays on the side of a plane or wall from which it came,
+// wherever its position was rounded to. Balls that overlap and approach, at the start or later, are resolved at once
+// along their line of centres; a ball that cuts a plane or wall and goes deeper, likewise. A ball of infinite mass is a
+// mirror: nothing changes its flight. Nothing is lost: after an exception the run is as it was before the event at hand
+// (after it, if the observer threw), and advance may be called again.
 template <mechanics M>
 class run {
   public:

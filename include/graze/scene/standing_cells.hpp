@@ -1,4 +1,4 @@
-// Which planes and walls are near a point.
+// The planes and walls near a point.
 #pragma once
 
 #include <graze/scene/body.hpp>

@@ -1,4 +1,4 @@
-// Who may soon meet whom: each ball in a shell that it leaves before it can meet anyone who is not on its list.
+// Which balls may soon meet: each ball is in a shell, and leaves it before it can meet a ball that is not on its list.
 #pragma once
 
 #include <graze/scene/centre_cells.hpp>
@@ -12,15 +12,15 @@ namespace graze::inline v0_1::detail {
 
 // A ball's shell is a sphere of radius s around a point X, in which the ball's centre is until it leaves; that is an
 // event, by which it gets another shell. Two balls that touch have |X_a - X_b| <= R + s_a + s_b: those are on each
-// other's lists. Decides only what is offered: whoever touches has been, and who is offered too much costs time alone.
-// Balls whose whereabouts doubles cannot tell in time belong to no cell and are offered to everyone.
+// other's lists. This only selects the pairs to be examined: every pair that touches is among them, and surplus pairs
+// cost only time. Balls whose place doubles cannot tell belong to no cell and are examined with every other ball.
 template <int N>
 class surroundings {
   public:
     surroundings() = default;
 
-    // The balls as they fly at the time `now`. Without cells, everyone is offered to everyone.
-    // period: of space, along each axis; 0 where there is none. Where there is one, everyone has a shell.
+    // The balls as they fly at the time `now`. Without cells, every pair is examined. period: of space, along each
+    // axis; 0 where there is none. Where there is one, everyone has a shell.
     surroundings(std::span<const flight<N, double>> balls, double now, standing_cells<N> standing, bool with_cells,
                  const vec<N, double>& period = {})
         : standing_(std::move(standing)), period_(period), shortest_(shortest(period)),
@@ -70,9 +70,8 @@ class surroundings {
     }
 
     // The neighbours that a has if its shell is where it flies at `now`, into fresh(). False if it can have no shell.
-    // more: how much farther the shell has to reach than would do.
-    // Where nothing has happened for so long that each ball has left some dozens of shells, it may be that nothing
-    // will.
+    // more: how much farther the shell has to reach than would do. If each ball has left dozens of shells without an
+    // event, it may be that none will follow.
     [[nodiscard]] bool look_around(body a, const flight<N, double>& f, double now, const image_index& gone = {},
                                    double more = 0) {
         next_ = {f.state.radius, shells_[a].radius, false, true, {}};
@@ -153,7 +152,7 @@ class surroundings {
     // Whether nothing has happened for long, which is said from time to time; and for very long.
     [[nodiscard]] bool has_idled() const noexcept { return idle_ % patience() == patience() - 1; }
     [[nodiscard]] bool is_idle() const noexcept { return idle_ > 100'000 + 1000 * shells_.size(); }
-    // From now on a is offered to everyone.
+    // From now on ball a is examined with every other ball.
     void spread(body a) noexcept {
         retire(a);
         shells_[a].everywhere = true;

@@ -7,7 +7,7 @@
 namespace graze::inline v0_1 {
 
 // Ball i is at position[k][i], flies at velocity[k][i] along axis k, and has the radius radius[i]; i < size. Nothing is
-// owned. Masses have no part in what is asked of columns.
+// owned. Columns have no masses: nothing that is asked of them needs any.
 template <int N, class T = double>
 struct columns {
     std::array<const T*, N> position;

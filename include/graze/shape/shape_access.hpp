@@ -61,9 +61,9 @@ requires(!is_own_shape<P> && requires(const P& p) {
 
 } // namespace detail
 
-// How B is read as a ball, P as a plane, W as a wall, T as a triangle. Specialise them for types whose parts have other
-// names: static procedures of a const reference, each of which returns a number, or a vector that vector_access reads.
-// All vectors and numbers of a shape are of one number type.
+// How B is read as a ball, P as a plane, W as a wall, T as a triangle. Specialise them for types whose members have
+// other names: static functions of a const reference, each returning a number or a vector that vector_access reads. All
+// vectors and numbers of a shape are of one number type.
 //   ball_access<B>      position, velocity, radius; optionally mass (otherwise 1) and since, which makes a flight of it
 //   plane_access<P>     point, normal
 //   wall_access<W>      corner, edge(w, i): i is 0, in space also 1
@@ -78,7 +78,7 @@ struct wall_access {};
 template <class T>
 struct triangle_access {};
 
-// A type of a user that stands for a ball or a flight, a plane, a wall, a triangle.
+// A user's type that stands for a ball or a flight, a plane, a wall, a triangle.
 template <class B>
 concept ball_like = requires(const B& b) {
     ball_access<B>::position(b);
@@ -111,7 +111,7 @@ namespace detail {
 template <class V>
 using vec_like = vector_access<std::remove_cvref_t<V>>;
 
-// What stands for a number or a vec, which must be of that type already: nothing is rounded on its way into a shape.
+// A number or vector of a shape. It must have the shape's number type already: nothing is rounded on the way.
 template <class T, class U>
 [[nodiscard]] constexpr const T& number_as(const U& x) noexcept {
     static_assert(std::same_as<T, U>, "graze: the numbers and vectors of a shape are of one number type");
@@ -127,7 +127,7 @@ template <class As, class V>
 
 } // namespace detail
 
-// The shape itself, or what stands for it as graze's: a ball, flight, plane, wall or triangle.
+// The shape itself, or graze's shape in its place: a ball, flight, plane, wall or triangle.
 template <own_shape S>
 [[nodiscard]] constexpr const S& shape_of(const S& s) noexcept {
     return s;

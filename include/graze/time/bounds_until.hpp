@@ -1,4 +1,4 @@
-// Around when two flights meet, for those who look for the earliest of many events.
+// Bounds on the time at which two flights meet, for finding the earliest of many events.
 #pragma once
 
 #include <graze/time/time_of_flights.hpp>

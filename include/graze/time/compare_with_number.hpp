@@ -11,7 +11,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// What a time compares with: every value of it is a double or a 64-bit integer.
+// What a time can be compared with: types all of whose values are doubles or 64-bit integers.
 template <class U>
 concept time_number = std::same_as<U, float> || std::same_as<U, double> ||
     (std::integral<U> && sizeof(U) <= 8 && (std::signed_integral<U> || sizeof(U) < 8));

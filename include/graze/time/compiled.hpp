@@ -1,4 +1,4 @@
-// The cold stages of times that graze::compiled has, so that a unit need not compile them.
+// The cold stages of times, which graze::compiled contains and a unit need not compile.
 #pragma once
 
 #include <graze/time/time_of_flights.hpp>

@@ -120,7 +120,7 @@ template <int N, class T, class Shape>
     return {};
 }
 
-// What becomes of a pair, and around when; unknown but for a hit of which doubles are certain.
+// The encounter of a pair, and an enclosure of its time, which is unknown unless doubles are certain of a hit.
 struct flat_meeting {
     flat_answer found;
     enclosure bounds;

@@ -1,4 +1,4 @@
-// A collision as numbers: what met, whatever met whatever and since when it was on its way.
+// A collision as numbers: the pair, of any kind, with its epochs.
 #pragma once
 
 #include <graze/formula/wall_encounter.hpp>

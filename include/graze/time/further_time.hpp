@@ -1,5 +1,5 @@
-// The time of two movers that are too far away, too slow, of odd units or too near a graze for the filter: in doubles
-// by the sizes of terms, in double words, and scaled first where that is needed.
+// The time of two movers that are too far away, too slow, too near a graze or in units too unusual for the filter:
+// scaled first if need be, then in doubles by the sizes of terms, then in double words.
 #pragma once
 
 #include <graze/time/enclosure.hpp>
@@ -11,8 +11,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// What becomes of two movers, `undecided` where all this leaves it open, by the stage given. Of a hit, in units of
-// 2^unit: when, if good; else where its time is, if that is known, in units as they are.
+// The encounter of two movers, `undecided` if it is still open, and the stage that decided it. For a hit: its time in
+// units of 2^unit, if good; otherwise an enclosure of its time in the units given, if one is known.
 struct further_time {
     int what = undecided;
     stage decided_by = stage::exact;

@@ -14,7 +14,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// Held by time_of_impact, the only maker of impact times.
+// Only time_of_impact can make impact times.
 struct impact_time_key {
     explicit constexpr impact_time_key() = default;
 };
@@ -26,8 +26,8 @@ struct impact_time_key {
 //       before a number that is before another time is before that time.
 
 // The first time at which a pair touches (its start for an overlap): of balls counted from the instant at which their
-// positions are given, of flights on the clock of `since`, and not before the later one's. The two are one clock, as a
-// ball is a flight since 0. A regular type but for a default value: two are equal exactly when their times are,
+// positions are given, of flights on the clock of `since`, and not before the later one's. Both count on one clock,
+// since a ball is a flight since 0. A regular type but for a default value: two are equal exactly when their times are,
 // whatever met whatever and since when. Comparisons look at an enclosure in doubles first and at the inputs, which the
 // value keeps, only when the enclosures overlap; they never round, throw or allocate. Converted, a time is rounded
 // once, in any floating-point environment. Made by time_of_impact only, whose empty answer std::optional orders before
@@ -89,7 +89,7 @@ class impact_time {
     // Two doubles between which it lies, at no cost. In a constant expression they tell nothing.
     [[nodiscard]] constexpr detail::enclosure enclosure() const noexcept { return bounds(); }
 
-    // For time_of_impact: an event, by the arguments of its constructor, and its enclosure.
+    // For time_of_impact: the arguments of an event's constructor, and its enclosure.
     template <class... Event>
     constexpr impact_time(detail::impact_time_key, const detail::enclosure& bounds, const Event&... arguments) noexcept
         : error_(bounds.error), event_(arguments...), near_(bounds.near) {}
@@ -97,7 +97,7 @@ class impact_time {
   private:
     [[nodiscard]] constexpr detail::enclosure bounds() const noexcept { return {near_, error_}; }
 
-    // Not side by side: a compiler would store them together, and a conversion that needs the one wait for the other.
+    // Kept apart: a compiler would store neighbours together, and a conversion that needs one would wait for both.
     double error_;
     detail::event<N, T> event_;
     double near_;

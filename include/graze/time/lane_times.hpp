@@ -13,7 +13,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Times that are certain at once: 0 of an overlap, +infinity of those that never touch. Of a hit, one near it.
+// Times that need no arithmetic: 0 for an overlap, +infinity for pairs that never touch. For a hit, a time near the
+// exact one.
 template <class V>
 struct lane_times {
     V time;

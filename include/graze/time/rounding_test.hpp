@@ -1,4 +1,4 @@
-// Whether all numbers of an interval round to the same one.
+// Whether all numbers of an interval round to the same number.
 #pragma once
 
 #include <graze/exact/binary.hpp>
@@ -11,13 +11,13 @@
 
 namespace graze::inline v0_1::detail {
 
-// A number within `error` of high + low.
+// A number that is within `error` of high + low.
 template <class V>
 struct bounded {
     V high, low, error;
 };
 
-// The ends of where it can be, each as the nearest double. For T = float they are moved outwards by more than that
+// The ends of its interval, each as the nearest double. For T = float they are moved outwards by more than that
 // rounding, so that nothing is rounded twice.
 template <class V>
 struct ends {
