@@ -40,14 +40,14 @@ template float round_exactly<float>(const event<2, float>&, rounding);
 template float round_exactly<float>(const event<3, float>&, rounding);
 template double round_exactly<double>(const event<2, double>&, rounding);
 template double round_exactly<double>(const event<3, double>&, rounding);
-template std::optional<float> round_fast<float>(const event<2, float>&, double, rounding) noexcept;
-template std::optional<float> round_fast<float>(const event<3, float>&, double, rounding) noexcept;
-template std::optional<double> round_fast<double>(const event<2, double>&, double, rounding) noexcept;
-template std::optional<double> round_fast<double>(const event<3, double>&, double, rounding) noexcept;
-template flat_time fast_flat_time(const event<2, float>&, double) noexcept;
-template flat_time fast_flat_time(const event<3, float>&, double) noexcept;
-template flat_time fast_flat_time(const event<2, double>&, double) noexcept;
-template flat_time fast_flat_time(const event<3, double>&, double) noexcept;
+template std::optional<float> round_in_doubles<float>(const event<2, float>&, double, rounding) noexcept;
+template std::optional<float> round_in_doubles<float>(const event<3, float>&, double, rounding) noexcept;
+template std::optional<double> round_in_doubles<double>(const event<2, double>&, double, rounding) noexcept;
+template std::optional<double> round_in_doubles<double>(const event<3, double>&, double, rounding) noexcept;
+template flat_time flat_time_in_doubles(const event<2, float>&, double) noexcept;
+template flat_time flat_time_in_doubles(const event<3, float>&, double) noexcept;
+template flat_time flat_time_in_doubles(const event<2, double>&, double) noexcept;
+template flat_time flat_time_in_doubles(const event<3, double>&, double) noexcept;
 template std::optional<impact_time<2, float>> time_of_overlap(const ball<2, float>&, const ball<2, float>&);
 template std::optional<impact_time<2, float>> time_of_overlap(const flight<2, float>&, const flight<2, float>&);
 template std::optional<impact_time<3, float>> time_of_overlap(const ball<3, float>&, const ball<3, float>&);
@@ -111,26 +111,26 @@ template std::optional<impact_time<2, double>> time_of_impact_exactly(const flig
 template std::optional<impact_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
                                                                       const flight<3, double>&);
 
-template parts fast_contact(contact<2, float>&, encounter, const ball<2, float>&, const ball<2, float>&, double, double,
-                            double) noexcept;
-template parts fast_contact(contact<2, float>&, encounter, const flight<2, float>&, const flight<2, float>&, double,
-                            double, double) noexcept;
-template parts fast_contact(contact<3, float>&, encounter, const ball<3, float>&, const ball<3, float>&, double, double,
-                            double) noexcept;
-template parts fast_contact(contact<3, float>&, encounter, const flight<3, float>&, const flight<3, float>&, double,
-                            double, double) noexcept;
-template parts fast_contact(contact<2, double>&, encounter, const ball<2, double>&, const ball<2, double>&, double,
-                            double, double) noexcept;
-template parts fast_contact(contact<2, double>&, encounter, const flight<2, double>&, const flight<2, double>&, double,
-                            double, double) noexcept;
-template parts fast_contact(contact<3, double>&, encounter, const ball<3, double>&, const ball<3, double>&, double,
-                            double, double) noexcept;
-template parts fast_contact(contact<3, double>&, encounter, const flight<3, double>&, const flight<3, double>&, double,
-                            double, double) noexcept;
-template void complete(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
-template void complete(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
-template void complete(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
-template void complete(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
+template component_set contact_in_doubles(contact<2, float>&, encounter, const ball<2, float>&, const ball<2, float>&,
+                                          double, double, double) noexcept;
+template component_set contact_in_doubles(contact<2, float>&, encounter, const flight<2, float>&,
+                                          const flight<2, float>&, double, double, double) noexcept;
+template component_set contact_in_doubles(contact<3, float>&, encounter, const ball<3, float>&, const ball<3, float>&,
+                                          double, double, double) noexcept;
+template component_set contact_in_doubles(contact<3, float>&, encounter, const flight<3, float>&,
+                                          const flight<3, float>&, double, double, double) noexcept;
+template component_set contact_in_doubles(contact<2, double>&, encounter, const ball<2, double>&,
+                                          const ball<2, double>&, double, double, double) noexcept;
+template component_set contact_in_doubles(contact<2, double>&, encounter, const flight<2, double>&,
+                                          const flight<2, double>&, double, double, double) noexcept;
+template component_set contact_in_doubles(contact<3, double>&, encounter, const ball<3, double>&,
+                                          const ball<3, double>&, double, double, double) noexcept;
+template component_set contact_in_doubles(contact<3, double>&, encounter, const flight<3, double>&,
+                                          const flight<3, double>&, double, double, double) noexcept;
+template void complete(contact<2, float>&, component_set, encounter, const ball<2, float>&, const ball<2, float>&);
+template void complete(contact<3, float>&, component_set, encounter, const ball<3, float>&, const ball<3, float>&);
+template void complete(contact<2, double>&, component_set, encounter, const ball<2, double>&, const ball<2, double>&);
+template void complete(contact<3, double>&, component_set, encounter, const ball<3, double>&, const ball<3, double>&);
 template completed_contact<ball<2, float>> collide_further(const ball<2, float>&, const ball<2, float>&);
 template completed_contact<flight<2, float>> collide_further(const flight<2, float>&, const flight<2, float>&);
 template completed_contact<ball<3, float>> collide_further(const ball<3, float>&, const ball<3, float>&);
@@ -139,67 +139,91 @@ template completed_contact<ball<2, double>> collide_further(const ball<2, double
 template completed_contact<flight<2, double>> collide_further(const flight<2, double>&, const flight<2, double>&);
 template completed_contact<ball<3, double>> collide_further(const ball<3, double>&, const ball<3, double>&);
 template completed_contact<flight<3, double>> collide_further(const flight<3, double>&, const flight<3, double>&);
-template stage complete_further(contact<2, float>&, parts, encounter, const ball<2, float>&, const ball<2, float>&);
-template stage complete_further(contact<2, float>&, parts, encounter, const flight<2, float>&, const flight<2, float>&);
-template stage complete_further(contact<3, float>&, parts, encounter, const ball<3, float>&, const ball<3, float>&);
-template stage complete_further(contact<3, float>&, parts, encounter, const flight<3, float>&, const flight<3, float>&);
-template stage complete_further(contact<2, double>&, parts, encounter, const ball<2, double>&, const ball<2, double>&);
-template stage complete_further(contact<2, double>&, parts, encounter, const flight<2, double>&,
+template stage complete_further(contact<2, float>&, component_set, encounter, const ball<2, float>&,
+                                const ball<2, float>&);
+template stage complete_further(contact<2, float>&, component_set, encounter, const flight<2, float>&,
+                                const flight<2, float>&);
+template stage complete_further(contact<3, float>&, component_set, encounter, const ball<3, float>&,
+                                const ball<3, float>&);
+template stage complete_further(contact<3, float>&, component_set, encounter, const flight<3, float>&,
+                                const flight<3, float>&);
+template stage complete_further(contact<2, double>&, component_set, encounter, const ball<2, double>&,
+                                const ball<2, double>&);
+template stage complete_further(contact<2, double>&, component_set, encounter, const flight<2, double>&,
                                 const flight<2, double>&);
-template stage complete_further(contact<3, double>&, parts, encounter, const ball<3, double>&, const ball<3, double>&);
-template stage complete_further(contact<3, double>&, parts, encounter, const flight<3, double>&,
+template stage complete_further(contact<3, double>&, component_set, encounter, const ball<3, double>&,
+                                const ball<3, double>&);
+template stage complete_further(contact<3, double>&, component_set, encounter, const flight<3, double>&,
                                 const flight<3, double>&);
-template void complete(ball_and_plane<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
+template void complete(ball_and_plane<2>, wall_contact<2, float>&, component_set, encounter, int, const ball<2, float>&,
                        const plane<2, float>&);
-template void complete(ball_and_plane<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,
+template void complete(ball_and_plane<3>, wall_contact<3, float>&, component_set, encounter, int, const ball<3, float>&,
                        const plane<3, float>&);
-template void complete(ball_and_plane<2>, wall_contact<2, double>&, parts, encounter, int, const ball<2, double>&,
-                       const plane<2, double>&);
-template void complete(ball_and_plane<3>, wall_contact<3, double>&, parts, encounter, int, const ball<3, double>&,
-                       const plane<3, double>&);
-template void complete(ball_and_wall<2>, wall_contact<2, float>&, parts, encounter, int, const ball<2, float>&,
+template void complete(ball_and_plane<2>, wall_contact<2, double>&, component_set, encounter, int,
+                       const ball<2, double>&, const plane<2, double>&);
+template void complete(ball_and_plane<3>, wall_contact<3, double>&, component_set, encounter, int,
+                       const ball<3, double>&, const plane<3, double>&);
+template void complete(ball_and_wall<2>, wall_contact<2, float>&, component_set, encounter, int, const ball<2, float>&,
                        const wall<2, float>&);
-template void complete(ball_and_wall<3>, wall_contact<3, float>&, parts, encounter, int, const ball<3, float>&,
+template void complete(ball_and_wall<3>, wall_contact<3, float>&, component_set, encounter, int, const ball<3, float>&,
                        const wall<3, float>&);
-template void complete(ball_and_wall<2>, wall_contact<2, double>&, parts, encounter, int, const ball<2, double>&,
-                       const wall<2, double>&);
-template void complete(ball_and_wall<3>, wall_contact<3, double>&, parts, encounter, int, const ball<3, double>&,
-                       const wall<3, double>&);
-template parts contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const plane<2, float>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const plane<3, float>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const plane<2, double>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const plane<3, double>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const wall<2, float>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const wall<3, float>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const wall<2, double>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const wall<3, double>&, double, const own_clock&) noexcept;
-template parts contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const plane<2, float>&, double, const clock_of_flight<float>&) noexcept;
-template parts contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const plane<3, float>&, double, const clock_of_flight<float>&) noexcept;
-template parts contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const plane<2, double>&, double, const clock_of_flight<double>&) noexcept;
-template parts contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const plane<3, double>&, double, const clock_of_flight<double>&) noexcept;
-template parts contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int, const ball<2, float>&,
-                                const wall<2, float>&, double, const clock_of_flight<float>&) noexcept;
-template parts contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int, const ball<3, float>&,
-                                const wall<3, float>&, double, const clock_of_flight<float>&) noexcept;
-template parts contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int, const ball<2, double>&,
-                                const wall<2, double>&, double, const clock_of_flight<double>&) noexcept;
-template parts contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int, const ball<3, double>&,
-                                const wall<3, double>&, double, const clock_of_flight<double>&) noexcept;
-template void complete(contact<2, float>&, parts, encounter, const flight<2, float>&, const flight<2, float>&);
-template void complete(contact<3, float>&, parts, encounter, const flight<3, float>&, const flight<3, float>&);
-template void complete(contact<2, double>&, parts, encounter, const flight<2, double>&, const flight<2, double>&);
-template void complete(contact<3, double>&, parts, encounter, const flight<3, double>&, const flight<3, double>&);
+template void complete(ball_and_wall<2>, wall_contact<2, double>&, component_set, encounter, int,
+                       const ball<2, double>&, const wall<2, double>&);
+template void complete(ball_and_wall<3>, wall_contact<3, double>&, component_set, encounter, int,
+                       const ball<3, double>&, const wall<3, double>&);
+template component_set contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int,
+                                        const ball<2, float>&, const plane<2, float>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int,
+                                        const ball<3, float>&, const plane<3, float>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int,
+                                        const ball<2, double>&, const plane<2, double>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int,
+                                        const ball<3, double>&, const plane<3, double>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int,
+                                        const ball<2, float>&, const wall<2, float>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int,
+                                        const ball<3, float>&, const wall<3, float>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int,
+                                        const ball<2, double>&, const wall<2, double>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int,
+                                        const ball<3, double>&, const wall<3, double>&, double,
+                                        const own_clock&) noexcept;
+template component_set contact_by_words(ball_and_plane<2>, wall_contact<2, float>&, encounter, int,
+                                        const ball<2, float>&, const plane<2, float>&, double,
+                                        const clock_of_flight<float>&) noexcept;
+template component_set contact_by_words(ball_and_plane<3>, wall_contact<3, float>&, encounter, int,
+                                        const ball<3, float>&, const plane<3, float>&, double,
+                                        const clock_of_flight<float>&) noexcept;
+template component_set contact_by_words(ball_and_plane<2>, wall_contact<2, double>&, encounter, int,
+                                        const ball<2, double>&, const plane<2, double>&, double,
+                                        const clock_of_flight<double>&) noexcept;
+template component_set contact_by_words(ball_and_plane<3>, wall_contact<3, double>&, encounter, int,
+                                        const ball<3, double>&, const plane<3, double>&, double,
+                                        const clock_of_flight<double>&) noexcept;
+template component_set contact_by_words(ball_and_wall<2>, wall_contact<2, float>&, encounter, int,
+                                        const ball<2, float>&, const wall<2, float>&, double,
+                                        const clock_of_flight<float>&) noexcept;
+template component_set contact_by_words(ball_and_wall<3>, wall_contact<3, float>&, encounter, int,
+                                        const ball<3, float>&, const wall<3, float>&, double,
+                                        const clock_of_flight<float>&) noexcept;
+template component_set contact_by_words(ball_and_wall<2>, wall_contact<2, double>&, encounter, int,
+                                        const ball<2, double>&, const wall<2, double>&, double,
+                                        const clock_of_flight<double>&) noexcept;
+template component_set contact_by_words(ball_and_wall<3>, wall_contact<3, double>&, encounter, int,
+                                        const ball<3, double>&, const wall<3, double>&, double,
+                                        const clock_of_flight<double>&) noexcept;
+template void complete(contact<2, float>&, component_set, encounter, const flight<2, float>&, const flight<2, float>&);
+template void complete(contact<3, float>&, component_set, encounter, const flight<3, float>&, const flight<3, float>&);
+template void complete(contact<2, double>&, component_set, encounter, const flight<2, double>&,
+                       const flight<2, double>&);
+template void complete(contact<3, double>&, component_set, encounter, const flight<3, double>&,
+                       const flight<3, double>&);
 
 } // namespace graze::inline v0_1::detail

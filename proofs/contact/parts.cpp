@@ -1,5 +1,5 @@
 // The constants of the fast path of contacts: the losses of its steps, derived from the steps themselves, are no more
-// than time/fast_approach.hpp and contact/lane_steps.hpp say. Their notation is used, with u = 2^-53.
+// than time/newton_approach.hpp and contact/lane_steps.hpp say. Their notation is used, with u = 2^-53.
 //
 // Bounds are homogeneous in the sizes of the inputs, so each size is set to 1 in turn. What a step omits, a product of
 // two low parts, is added to what it rounds.

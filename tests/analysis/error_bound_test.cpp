@@ -4,8 +4,8 @@
 #include <graze/formula/discriminant.hpp>
 #include <graze/number/adapter/gmp.hpp>
 #include <graze/number/floating.hpp>
+#include <graze/pair/computed_motion.hpp>
 #include <graze/pair/flat_signs.hpp>
-#include <graze/pair/rounded_motion.hpp>
 
 #include "../../examples/families/random.hpp"
 

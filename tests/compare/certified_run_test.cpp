@@ -47,17 +47,17 @@ TEST_CASE("a scene that is solved by hand") {
     const certified_result<2> found = proved(scene, {{}, 3});
     REQUIRE(found.events.size() == 3);
     CHECK(found.why == graze::ending::events);
-    CHECK(found.events[0].who == graze::meeting{ball, 0, 1});
+    CHECK(found.events[0].who == graze::scene_pair{ball, 0, 1});
     CHECK(is(found.events[0].time, 3));
     CHECK(is(found.events[0].a.position[0], 3));
     CHECK(is(found.events[0].a.velocity[0], exact(1, 2)));
     CHECK(is(found.events[0].b->velocity[0], exact(3, 2)));
-    CHECK(found.events[1].who == graze::meeting{plane, 1, 0});
+    CHECK(found.events[1].who == graze::scene_pair{plane, 1, 0});
     CHECK(is(found.events[1].time, 3 + exact(8, 3)));
     CHECK(is(found.events[1].a.velocity[0], exact(-3, 2)));
     // Then the heavier one is at 3 + 4/3, the lighter one at 9: a gap of 8/3 that closes at speed 2. The centre of mass
     // moves with (3/2 - 3/2)/4 = 0, so that both turn round.
-    CHECK(found.events[2].who == graze::meeting{ball, 0, 1});
+    CHECK(found.events[2].who == graze::scene_pair{ball, 0, 1});
     CHECK(is(found.events[2].time, 3 + exact(8, 3) + exact(4, 3)));
     CHECK(is(found.events[2].a.velocity[0], exact(-1, 2)));
     CHECK(is(found.events[2].b->velocity[0], exact(3, 2)));
@@ -104,11 +104,11 @@ TEST_CASE("the cradle passes on one ball's velocity at one instant") {
     const certified_result<2> found = proved(scene_file_of("newtons_cradle"), {{}, 12});
     REQUIRE(found.events.size() == 12);
     for (std::size_t i = 0; i < 5; ++i) {
-        CHECK(found.events[i].who == graze::meeting{ball, static_cast<int>(i), static_cast<int>(i) + 1});
+        CHECK(found.events[i].who == graze::scene_pair{ball, static_cast<int>(i), static_cast<int>(i) + 1});
         CHECK(is(found.events[i].time, exact(7, 10)));
         CHECK(found.events[i].tied == (i > 0));
     }
-    CHECK(found.events[5].who == graze::meeting{plane, 5, 1});
+    CHECK(found.events[5].who == graze::scene_pair{plane, 5, 1});
     CHECK(is(found.balls[0].velocity[0], 1)); // back where it came from
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("the photon of the hundred digits") {
     REQUIRE(found.events.size() == other.mirrors.size());
     CHECK(other.mirrors.size() == 14);
     for (std::size_t i = 0; i < other.mirrors.size(); ++i) {
-        const graze::meeting who = found.events[i].who;
+        const graze::scene_pair who = found.events[i].who;
         const auto& mirror = scene.balls[static_cast<std::size_t>(who.a == 0 ? who.b : who.a)].shape.position;
         CHECK(mirror[0] == other.mirrors[i].first);
         CHECK(mirror[1] == other.mirrors[i].second);
@@ -194,7 +194,7 @@ TEST_CASE("forward, velocities turned round, and back: the start, certified") {
                          b.inverse_mass.is_zero() ? infinite : certified(1)});
     }
     graze::run<mechanics> there_and_back(graze::scene<2, certified>{balls, {}, {}});
-    std::vector<graze::meeting> there, back;
+    std::vector<graze::scene_pair> there, back;
     graze::run_limits<certified> limits;
     limits.time = certified(10);
     there_and_back.advance(limits, [&](const auto& e) { there.push_back(e.who); });
@@ -209,7 +209,7 @@ TEST_CASE("forward, velocities turned round, and back: the start, certified") {
     limits.time = certified(20);
     there_and_back.advance(limits, [&](const auto& e) { back.push_back(e.who); });
     CHECK(there.size() == 14);
-    CHECK(std::vector<graze::meeting>(back.rbegin(), back.rend()) == there);
+    CHECK(std::vector<graze::scene_pair>(back.rbegin(), back.rend()) == there);
     const graze::ball<2, certified> home = there_and_back.rules().ball_at(there_and_back.in_flight(0), certified(20));
     CHECK(contains(home.position[0], exact(1, 2)));
     CHECK(contains(home.position[1], exact(1, 10)));
@@ -236,12 +236,12 @@ TEST_CASE("digits and decimals") {
 TEST_CASE("the first mistake of a run") {
     certified_result<2> truth;
     truth.why = graze::ending::events;
-    const graze::meeting a{ball, 0, 1}, b{ball, 1, 2}, c{plane, 2, 0}, d{plane, 0, 0};
-    for (const graze::meeting& who : {a, b, c}) {
+    const graze::scene_pair a{ball, 0, 1}, b{ball, 1, 2}, c{plane, 2, 0}, d{plane, 0, 0};
+    for (const graze::scene_pair& who : {a, b, c}) {
         truth.events.push_back(
             {who, certified(static_cast<int>(truth.events.size()) + 1), false, false, false, {}, {}});
     }
-    const auto mistake_of = [&](std::vector<graze::meeting> events) {
+    const auto mistake_of = [&](std::vector<graze::scene_pair> events) {
         history h;
         while (h.digits.size() < events.size() && h.digits.size() < 3 &&
                events[h.digits.size()] == truth.events[h.digits.size()].who) {
@@ -265,8 +265,8 @@ TEST_CASE("the first mistake of a run") {
 TEST_CASE("nothing is said of what was not run, or is not known") {
     certified_result<2> truth;
     truth.why = graze::ending::events;
-    const graze::meeting a{ball, 0, 1}, b{ball, 1, 2}, c{plane, 2, 0}, d{plane, 0, 0};
-    for (const graze::meeting& who : {a, b, c}) {
+    const graze::scene_pair a{ball, 0, 1}, b{ball, 1, 2}, c{plane, 2, 0}, d{plane, 0, 0};
+    for (const graze::scene_pair& who : {a, b, c}) {
         truth.events.push_back(
             {who, certified(static_cast<int>(truth.events.size()) + 1), false, false, false, {}, {}});
     }

@@ -27,7 +27,7 @@ exact_scene<2> scene_of(const std::string& name) {
 }
 
 struct happening {
-    graze::meeting who;
+    graze::scene_pair who;
     real time;
 };
 
@@ -135,7 +135,7 @@ void check_sequence(const certified_result<2>& found, std::vector<happening> exp
     REQUIRE(found.events.size() == expected.size());
     for (std::size_t from = 0; from < expected.size();) {
         std::size_t to = from;
-        std::vector<graze::meeting> has, due;
+        std::vector<graze::scene_pair> has, due;
         for (; to < expected.size() && expected[to].time - expected[from].time < nothing; ++to) {
             has.push_back(found.events[to].who);
             due.push_back(expected[to].who);
@@ -143,7 +143,7 @@ void check_sequence(const certified_result<2>& found, std::vector<happening> exp
             CHECK(abs(real(near_double(found.events[to].time)) - expected[to].time) < 1e-12 * (1 + expected[to].time));
             CHECK((found.events[to].tied || found.events[to].either_order) == (to > from));
         }
-        const auto order = [](graze::meeting& m) {
+        const auto order = [](graze::scene_pair& m) {
             if (m.with == graze::partner::ball && m.b < m.a) {
                 std::swap(m.a, m.b);
             }

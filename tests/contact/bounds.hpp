@@ -3,7 +3,7 @@
 
 #include "../oracle/contact.hpp"
 
-#include <graze/time/rounding_test.hpp>
+#include <graze/time/certain_rounding.hpp>
 
 #include <array>
 #include <cmath>

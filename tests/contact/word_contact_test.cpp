@@ -16,7 +16,7 @@ namespace {
 // Keeps what is bounded, by its number, and in which units.
 struct kept {
     graze::detail::bounded<double> found[16];
-    graze::detail::parts known = 0;
+    graze::detail::component_set known = 0;
     int what = graze::detail::undecided;
     int length = 0, velocity = 0;
 

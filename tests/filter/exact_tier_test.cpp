@@ -1,5 +1,5 @@
 // The integers in which a formula runs are as wide as its inputs need, and hold their values.
-#include <graze/filter/exact_tier.hpp>
+#include <graze/filter/exact_stage.hpp>
 #include <graze/formula/quadratic.hpp>
 #include <graze/pair/pair.hpp>
 

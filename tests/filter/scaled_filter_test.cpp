@@ -1,7 +1,7 @@
 // The filter of any formula of a motion: its range, and that it answers `open` where it is not certain.
 #include <graze/filter/scaled_filter.hpp>
 #include <graze/formula/plane_crossing.hpp>
-#include <graze/pair/rounded_motion.hpp>
+#include <graze/pair/computed_motion.hpp>
 
 #include <doctest/doctest.h>
 
@@ -14,8 +14,8 @@ using bounds = graze::detail::plane_bounds<3, double>;
 using graze::detail::open;
 
 auto motion(double height, double radius) {
-    return graze::detail::rounded_motion(graze::ball<3, double>{{1, 2, height}, {0, 0, -1}, radius},
-                                         graze::plane<3, double>{{0, 0, 0}, {0, 0, 1}});
+    return graze::detail::computed_motion(graze::ball<3, double>{{1, 2, height}, {0, 0, -1}, radius},
+                                          graze::plane<3, double>{{0, 0, 0}, {0, 0, 1}});
 }
 int clearance(double height, double radius) {
     return graze::detail::filtered_sign<bounds>(graze::plane_clearance{}, motion(height, radius),

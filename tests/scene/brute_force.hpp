@@ -2,8 +2,8 @@
 // once. It shares nothing with the library but the shapes of a scene: textbook formulas and no lists.
 #pragma once
 
-#include <graze/scene/meeting.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_pair.hpp>
 #include <graze/shape/flight.hpp>
 
 #include <gmpxx.h>
@@ -86,7 +86,7 @@ std::optional<real> time_to(const point<N>& x, const point<N>& u, const real& r)
 template <int N>
 struct event {
     real time;
-    graze::meeting who;
+    graze::scene_pair who;
     std::array<int, N> image{};
     point<N> n{};
 };

@@ -116,7 +116,7 @@ void compare(std::uint64_t seed, int most, comparison& result) {
             }
             ++done;
             ++result.events;
-            graze::meeting who = e.who;
+            graze::scene_pair who = e.who;
             if (who.with == graze::partner::ball && who.b < who.a) {
                 std::swap(who.a, who.b);
             }

@@ -14,7 +14,7 @@ using balls = std::vector<graze::ball<N>>;
 using walls = std::vector<graze::wall<2>>;
 
 struct happening {
-    graze::meeting who;
+    graze::scene_pair who;
     graze::flight<2> after;
 };
 std::vector<happening> told(const graze::scene<2>& s, std::uint64_t most) {

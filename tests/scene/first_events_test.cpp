@@ -107,8 +107,8 @@ TEST_CASE("the first events are the first of all") {
     CHECK(rc::check([&] {
         const any_scene s;
         std::optional<graze::impact_time<2>> first;
-        std::vector<graze::meeting> expected;
-        const auto offer = [&](const std::optional<graze::impact_time<2>>& t, const graze::meeting& who) {
+        std::vector<graze::scene_pair> expected;
+        const auto offer = [&](const std::optional<graze::impact_time<2>>& t, const graze::scene_pair& who) {
             if (t && (!first || *t < *first)) {
                 first = t;
                 expected.clear();
@@ -132,7 +132,7 @@ TEST_CASE("the first events are the first of all") {
             meet(graze::partner::wall, s.walls, i);
         }
         auto found = graze::first_events(s.view());
-        for (graze::meeting& m : found.events) {
+        for (graze::scene_pair& m : found.events) {
             if (m.with == graze::partner::ball && m.b < m.a) {
                 std::swap(m.a, m.b);
             }
@@ -153,7 +153,7 @@ TEST_CASE("those that overlap are found among all") {
     std::size_t pairs = 0;
     CHECK(rc::check([&] {
         const any_scene s;
-        std::vector<graze::meeting> expected;
+        std::vector<graze::scene_pair> expected;
         const auto look = [&](graze::partner kind, const auto& parts) {
             for (int i = 0; i < static_cast<int>(s.balls.size()); ++i) {
                 for (int j = kind == graze::partner::ball ? i + 1 : 0; j < static_cast<int>(parts.size()); ++j) {

@@ -79,7 +79,7 @@ parts_of_scene<N> any_scene(const look& l) {
 }
 
 struct told_event {
-    graze::meeting who;
+    graze::scene_pair who;
     double time;
     bool operator==(const told_event&) const = default;
 };
@@ -177,14 +177,14 @@ TEST_CASE("of two events that share no ball either is done first, where their or
     using ball = graze::ball<2, double>;
     std::vector<ball> balls{
         {{{0, 0}}, {{1, 0}}, 1}, {{{5, 0}}, {{0, 0}}, 1}, {{{0, 10}}, {{1, 0}}, 1}, {{{5, 10}}, {{0, 0}}, 1}};
-    std::vector<graze::meeting> met;
+    std::vector<graze::scene_pair> met;
     const auto note = [&](const auto& e) { met.push_back(e.who); };
     graze::run<vague> apart(graze::scene<2, double>{balls, {}, {}});
     CHECK(apart.advance({}, note).why == graze::ending::exhausted);
     REQUIRE(met.size() == 2);
     std::sort(met.begin(), met.end());
-    CHECK(met[0] == graze::meeting{graze::partner::ball, 0, 1});
-    CHECK(met[1] == graze::meeting{graze::partner::ball, 2, 3});
+    CHECK(met[0] == graze::scene_pair{graze::partner::ball, 0, 1});
+    CHECK(met[1] == graze::scene_pair{graze::partner::ball, 2, 3});
 
     balls[2] = {{{10, 0}}, {{-1, 0}}, 1}; // ball 1 is met from both sides
     balls[3].velocity[0] = 1;

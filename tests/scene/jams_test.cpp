@@ -114,7 +114,7 @@ TEST_CASE("the pairs that overlap at the start are those of all pairs") {
         }
         const planes flat = {{{{0, 15}}, {{0, 2}}}};
         const walls upright = {{{{3, -4}}, {{{{0, 8}}}}}};
-        std::vector<graze::meeting> expected;
+        std::vector<graze::scene_pair> expected;
         for (int i = 0; i < 20; ++i) {
             for (int j = i + 1; j < 20; ++j) {
                 const auto &a = some[static_cast<std::size_t>(i)], &b = some[static_cast<std::size_t>(j)];

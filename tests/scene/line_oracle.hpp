@@ -2,7 +2,7 @@
 // rational, and every step can be checked by hand.
 #pragma once
 
-#include <graze/scene/meeting.hpp>
+#include <graze/scene/scene_pair.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -23,7 +23,7 @@ struct bead {
 };
 
 struct event {
-    graze::meeting who;
+    graze::scene_pair who;
     rational time;
     bool chosen;
 };

@@ -19,7 +19,7 @@ TEST_CASE("Nothing is met at a mesh's inner edges, and what else is met stays") 
         if (marked) {
             s.inner_edges = seams;
         }
-        std::vector<graze::meeting> events;
+        std::vector<graze::scene_pair> events;
         (void)run_exactly<3>(s, {.events = 1}, [&](const auto& e) {
             events.push_back(e.who);
             return true;
@@ -29,12 +29,12 @@ TEST_CASE("Nothing is met at a mesh's inner edges, and what else is met stays") 
     using graze::partner;
     // Over the seam too low, along it onto its corner, from beside onto an outer edge, down onto a face and onto the
     // seam.
-    CHECK(met({{1, 1, 0.499}, {1, 1, 0}, 0.5}, false) == std::vector{graze::meeting{partner::triangle, 0, 1}});
+    CHECK(met({{1, 1, 0.499}, {1, 1, 0}, 0.5}, false) == std::vector{graze::scene_pair{partner::triangle, 0, 1}});
     CHECK(met({{1, 1, 0.499}, {1, 1, 0}, 0.5}, true).empty());
     CHECK(met({{5, -1, 0.25}, {-1, 1, 0}, 0.5}, false).size() == 1);
     CHECK(met({{5, -1, 0.25}, {-1, 1, 0}, 0.5}, true).empty());
-    CHECK(met({{1, -2, 0.25}, {0, 1, 0}, 0.5}, true) == std::vector{graze::meeting{partner::triangle, 0, 0}});
-    CHECK(met({{1, 1, 3}, {0, 0, -1}, 0.5}, true) == std::vector{graze::meeting{partner::triangle, 0, 0}});
+    CHECK(met({{1, -2, 0.25}, {0, 1, 0}, 0.5}, true) == std::vector{graze::scene_pair{partner::triangle, 0, 0}});
+    CHECK(met({{1, 1, 3}, {0, 0, -1}, 0.5}, true) == std::vector{graze::scene_pair{partner::triangle, 0, 0}});
     CHECK(met({{2, 2, 3}, {0, 0, -1}, 0.5}, true).size() == 1);
 }
 

@@ -63,7 +63,7 @@ box any_box(bool slit, bool dense = true) {
 }
 
 struct told_event {
-    graze::meeting who;
+    graze::scene_pair who;
     double time;
     graze::vec<2, double> position, velocity;
     bool operator==(const told_event& e) const {
@@ -180,9 +180,9 @@ TEST_CASE("in exact numbers the run is that of copies, to the last digit") {
                              fraction(1),
                              fraction(1) + below(3)});
         }
-        std::vector<std::pair<fraction, graze::meeting>> expected, found;
+        std::vector<std::pair<fraction, graze::scene_pair>> expected, found;
         const auto name = [](int a, int b) {
-            return graze::meeting{graze::partner::ball, std::min(a, b), std::max(a, b)};
+            return graze::scene_pair{graze::partner::ball, std::min(a, b), std::max(a, b)};
         };
         graze::run<exact> periodic(graze::scene<2, fraction>{.balls = balls, .period = {{length, fraction(9)}}});
         periodic.advance({.events = static_cast<std::uint64_t>(most)}, [&](const graze::run_event<exact>& e) {

@@ -123,7 +123,7 @@ TEST_CASE("a mirror keeps its flight, whatever it meets") {
         {{{0, 0}}, {{0, 0}}, 0.5, infinite}, {{{4, 0}}, {{0, 0}}, 0.5, infinite}, {{{2, 0}}, {{1, 0}}, 0.25, 1}};
     std::uint64_t told = 0;
     const auto finished = run_exactly<2>({mirrors, {}, {}}, {.events = 100}, [&](const exact_event<2>& e) {
-        CHECK(e.who == graze::meeting{graze::partner::ball, e.who.a, e.who.b});
+        CHECK(e.who == graze::scene_pair{graze::partner::ball, e.who.a, e.who.b});
         ++told;
         return true;
     });
@@ -138,13 +138,13 @@ TEST_CASE("a mirror that meets a plane or a wall is told, and flies on") {
     const walls upright = {{{{7, -1}}, {{{{0, 2}}}}}};
     for (const double x : {-3.0, -0.5}) { // comes to the plane, and cuts it
         const balls mirror = {{{{x, 0}}, {{1, 0}}, 1, infinite}};
-        std::vector<graze::meeting> met;
+        std::vector<graze::scene_pair> met;
         const auto finished = run_exactly<2>({mirror, flat, upright}, {}, [&](const exact_event<2>& e) {
             met.push_back(e.who);
             return true;
         });
         CHECK(finished.outcome.why == graze::ending::exhausted);
-        CHECK(met == std::vector<graze::meeting>{{graze::partner::plane, 0, 0}, {graze::partner::wall, 0, 0}});
+        CHECK(met == std::vector<graze::scene_pair>{{graze::partner::plane, 0, 0}, {graze::partner::wall, 0, 0}});
         CHECK(finished.flights[0].since == 0);
         CHECK(finished.flights[0].state.velocity[0] == 1);
     }
@@ -171,15 +171,15 @@ TEST_CASE("an event that shares a ball with one that another of the same time br
                         {{{0, 0}}, {{0, 0}}, 0.5, 3},
                         {{{1, 0}}, {{0, 0}}, 0.5, 5},
                         {{{4, 0}}, {{-1, 0}}, 0.5, 7}};
-    std::vector<std::pair<graze::meeting, bool>> told;
+    std::vector<std::pair<graze::scene_pair, bool>> told;
     const auto finished = run_exactly<2>({four, {}, {}}, {.time = 2}, [&](const exact_event<2>& e) {
         told.emplace_back(e.who, e.chosen);
         return true;
     });
     REQUIRE(told.size() >= 3);
-    CHECK(told[0] == std::pair(graze::meeting{graze::partner::ball, 0, 1}, false)); // brings 1 and 2 about
-    CHECK(told[1] == std::pair(graze::meeting{graze::partner::ball, 2, 3}, true));
-    CHECK(told[2] == std::pair(graze::meeting{graze::partner::ball, 1, 2}, false));
+    CHECK(told[0] == std::pair(graze::scene_pair{graze::partner::ball, 0, 1}, false)); // brings 1 and 2 about
+    CHECK(told[1] == std::pair(graze::scene_pair{graze::partner::ball, 2, 3}, true));
+    CHECK(told[2] == std::pair(graze::scene_pair{graze::partner::ball, 1, 2}, false));
     CHECK(finished.outcome.choices == 1);
     // A mirror between them is shared, but its flight stays: nothing is chosen.
     balls five = four;
@@ -189,7 +189,7 @@ TEST_CASE("an event that shares a ball with one that another of the same time br
 
 TEST_CASE("of grazes at one time none is lost, and a hit beside them is as if they were not") {
     const auto events_of = [](const graze::scene<2>& scene) {
-        std::vector<graze::meeting> told;
+        std::vector<graze::scene_pair> told;
         const auto finished = run_exactly<2>(scene, {.time = 6}, [&](const exact_event<2>& e) {
             CHECK(e.when == 5);
             told.push_back(e.who);
@@ -202,10 +202,10 @@ TEST_CASE("of grazes at one time none is lost, and a hit beside them is as if th
     const graze::vec<2, double> on{{1, 0}}, back{{-1, 0}};
     const balls one = {{{{-5, 0}}, {{1, 0}}, 1, 1}};
     const walls gate = {{{{0, 1}}, {{{{0, 3}}}}}, {{{0, -1}}, {{{{0, -3}}}}}};
-    const std::vector<graze::meeting> both = {{partner::wall, 0, 0}, {partner::wall, 0, 1}};
+    const std::vector<graze::scene_pair> both = {{partner::wall, 0, 0}, {partner::wall, 0, 1}};
     CHECK(events_of({one, {}, gate}) == std::pair(both, on));
     balls three = {{{{-5, 1}}, {{1, 0}}, 0.5, 1}, {{{0, 0}}, {{0, 0}}, 0.5, 1}, {{{0, 2}}, {{0, 0}}, 0.5, 1}};
-    const std::vector<graze::meeting> pair = {{partner::ball, 0, 1}, {partner::ball, 0, 2}};
+    const std::vector<graze::scene_pair> pair = {{partner::ball, 0, 1}, {partner::ball, 0, 2}};
     CHECK(events_of({three, {}, {}}) == std::pair(pair, on));
     // Halfway between two others, at a place that no double is.
     const balls third = {{{{-5, 0}}, {{1, 0}}, 0.1, 1}};
@@ -214,7 +214,7 @@ TEST_CASE("of grazes at one time none is lost, and a hit beside them is as if th
     // The mirror, which is hit at the same time, comes last in canonical order.
     three.push_back({{{1, 1}}, {{0, 0}}, 0.5, infinite});
     const auto [told, velocity] = events_of({three, {}, {}});
-    CHECK(std::count(told.begin(), told.end(), graze::meeting{partner::ball, 0, 3}) == 1);
+    CHECK(std::count(told.begin(), told.end(), graze::scene_pair{partner::ball, 0, 3}) == 1);
     CHECK(velocity == back);
 }
 

@@ -14,7 +14,7 @@ using line_oracle::bead;
 using line_oracle::rational;
 
 struct told_event {
-    graze::meeting who;
+    graze::scene_pair who;
     double time;
     bool chosen;
 };
@@ -115,7 +115,7 @@ TEST_CASE("the order of the lists has no part in it, nor has the grid") {
         const auto other = events_of(permuted, 60, graze::cells::none);
         RC_ASSERT(told.size() == other.size());
         for (std::size_t i = 0; i < told.size(); ++i) {
-            graze::meeting named = other[i].who;
+            graze::scene_pair named = other[i].who;
             named.a = order[static_cast<std::size_t>(named.a)];
             named.b = named.with == graze::partner::ball ? order[static_cast<std::size_t>(named.b)] : named.b;
             RC_ASSERT(told[i].who == named);

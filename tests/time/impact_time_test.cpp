@@ -54,7 +54,7 @@ struct event {
     oracle::surd truth;
 };
 template <class A, class B>
-auto meeting(const A& a, const B& b) {
+auto scene_pair(const A& a, const B& b) {
     return event<sizeof(a.position) / sizeof(double)>{answers::time_of(a, b).value(), oracle::meet(a, b).time.value()};
 }
 
@@ -66,10 +66,10 @@ std::vector<event<N>> hard_events(std::size_t of_each) {
         if (!answers::time_of(a, b)) {
             return;
         }
-        all.push_back(meeting(a, b));
+        all.push_back(scene_pair(a, b));
         if (all.size() % 4 == 0) {
-            all.push_back(meeting(transform::permuted(a, 1), transform::permuted(b, 1)));
-            all.push_back(meeting(transform::reflected(a, 5), transform::reflected(b, 5)));
+            all.push_back(scene_pair(transform::permuted(a, 1), transform::permuted(b, 1)));
+            all.push_back(scene_pair(transform::reflected(a, 5), transform::reflected(b, 5)));
         }
     };
     const auto add_family = [&](const families::family& f) {
@@ -132,8 +132,8 @@ void check_containers() {
 // Two events: a tie whatever stage tells it; their order again with y's radius one unit in the last place beside.
 template <int N, class A, class B, class C, class D>
 void check_tie(const A& a, const B& b, const C& c, const D& d) {
-    const auto x = meeting(a, b);
-    const auto y = meeting(c, d);
+    const auto x = scene_pair(a, b);
+    const auto y = scene_pair(c, d);
     REQUIRE(oracle::compare(x.truth, y.truth) == 0);
     CHECK(x.time == y.time);
     CHECK((x.time <=> y.time) == 0);
@@ -141,7 +141,7 @@ void check_tie(const A& a, const B& b, const C& c, const D& d) {
     CHECK(!(y.time < x.time));
     C larger = c;
     larger.radius = std::nextafter(c.radius, 9e9);
-    const auto earlier = meeting(larger, d);
+    const auto earlier = scene_pair(larger, d);
     REQUIRE(oracle::compare(earlier.truth, x.truth) < 0);
     CHECK(earlier.time < x.time);
     CHECK(x.time != earlier.time);
@@ -214,21 +214,21 @@ TEST_CASE("Different kinds of things can be met at the same time") {
     // Now is now, whatever overlaps or touches.
     const ball<2> inside{{0.5, 0}, {-1, 0}, 1};
     const ball<2> touching{{1, 0}, {-1, 0}, 1};
-    CHECK(meeting(inside, point_at_rest).time == meeting(touching, point_at_rest).time);
-    CHECK(meeting(inside, point_at_rest).time == meeting(touching, wall<2>{{0, 0}, {{{-1, 0}}}}).time);
-    CHECK(meeting(inside, plane<2>{{0, 0}, {1, 0}}).time == meeting(touching, point_at_rest).time);
-    CHECK(meeting(touching, plane<2>{{0, 0}, {1, 0}}).time == 0.0);
-    CHECK(meeting(inside, point_at_rest).time == 0.0);
-    CHECK(meeting(inside, point_at_rest).time == -0.0);
-    CHECK(meeting(inside, point_at_rest).time > -0x1p-1074);
-    CHECK(meeting(inside, point_at_rest).time < 0x1p-1074);
-    CHECK(meeting(inside, point_at_rest).time < meeting(flying, point_at_rest).time);
+    CHECK(scene_pair(inside, point_at_rest).time == scene_pair(touching, point_at_rest).time);
+    CHECK(scene_pair(inside, point_at_rest).time == scene_pair(touching, wall<2>{{0, 0}, {{{-1, 0}}}}).time);
+    CHECK(scene_pair(inside, plane<2>{{0, 0}, {1, 0}}).time == scene_pair(touching, point_at_rest).time);
+    CHECK(scene_pair(touching, plane<2>{{0, 0}, {1, 0}}).time == 0.0);
+    CHECK(scene_pair(inside, point_at_rest).time == 0.0);
+    CHECK(scene_pair(inside, point_at_rest).time == -0.0);
+    CHECK(scene_pair(inside, point_at_rest).time > -0x1p-1074);
+    CHECK(scene_pair(inside, point_at_rest).time < 0x1p-1074);
+    CHECK(scene_pair(inside, point_at_rest).time < scene_pair(flying, point_at_rest).time);
 }
 
 TEST_CASE("A time against a number") {
     using limits = std::numeric_limits<double>;
     const ball<2> target{{0, 0}, {0, 0}, 1};
-    const auto three = meeting(ball<2>{{5, 0}, {-1, 0}, 1}, target).time;
+    const auto three = scene_pair(ball<2>{{5, 0}, {-1, 0}, 1}, target).time;
     CHECK(three == 3.0);
     CHECK(3.0 == three);
     CHECK(three < 3.0 + 0x1p-51);
@@ -249,18 +249,18 @@ TEST_CASE("A time against a number") {
 
     // Beyond the range of doubles: 2^2046 or so, and below the least of them.
     const ball<2> slow{{limits::max(), 0}, {-limits::denorm_min(), 0}, 0};
-    const auto late = meeting(slow, point_at_rest).time;
+    const auto late = scene_pair(slow, point_at_rest).time;
     CHECK(late > limits::max());
     CHECK(late < limits::infinity());
     const ball<2> near{{0x1p-1073, 0}, {-limits::max(), 0}, 0x1p-1074};
-    const auto soon = meeting(near, point_at_rest).time;
+    const auto soon = scene_pair(near, point_at_rest).time;
     CHECK(soon > 0.0);
     CHECK(soon < limits::denorm_min());
     CHECK(soon < late);
 
     // τ = 1 + 2^-53, between two doubles: dx = (1 + 2^-52, 0), R = 2^-53.
     const ball<2> midway{{1 + 0x1p-52, 0}, {-1, 0}, 0x1p-53};
-    const auto middle = meeting(midway, point_at_rest).time;
+    const auto middle = scene_pair(midway, point_at_rest).time;
     CHECK(middle > 1.0);
     CHECK(middle < 1 + 0x1p-52);
 
@@ -295,10 +295,10 @@ TEST_CASE("A time against a number") {
 
 TEST_CASE("The stage that orders two times can be seen") {
     const ball<2> target{{0, 0}, {0, 0}, 1};
-    const auto x = meeting(flying, target).time;
-    const auto later = meeting(ball<2>{{-5, 1}, {2.9, -0.25}, 1}, target).time;
-    const auto same = meeting(target, flying).time;
-    const auto beside = meeting(ball<2>{{-5, 1}, {3, -0.25}, 1 + 0x1p-52}, target).time;
+    const auto x = scene_pair(flying, target).time;
+    const auto later = scene_pair(ball<2>{{-5, 1}, {2.9, -0.25}, 1}, target).time;
+    const auto same = scene_pair(target, flying).time;
+    const auto beside = scene_pair(ball<2>{{-5, 1}, {3, -0.25}, 1 + 0x1p-52}, target).time;
     auto told = graze::stage::exact;
     const auto tell = [&](graze::stage s) { told = s; };
     CHECK(x.compare(later, tell) == -1);

@@ -124,7 +124,7 @@ class attempt {
         }
     }
     // Whether the two have a ball in common that is no mirror.
-    [[nodiscard]] bool share_a_ball(const graze::meeting& x, const graze::meeting& y) const {
+    [[nodiscard]] bool share_a_ball(const graze::scene_pair& x, const graze::scene_pair& y) const {
         const auto is_shared = [&](int a) {
             return !scene_.balls[static_cast<std::size_t>(a)].mass.is_infinite() &&
                    (a == y.a || (y.with == graze::partner::ball && a == y.b));

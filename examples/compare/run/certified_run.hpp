@@ -21,7 +21,7 @@ namespace compare::run {
 // time. a, b: the balls right after it; b is empty for a plane or a wall.
 template <int N>
 struct certified_event {
-    graze::meeting who;
+    graze::scene_pair who;
     certified time;
     bool tied, either_order, chosen;
     graze::ball<N, certified> a;

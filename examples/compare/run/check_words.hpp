@@ -9,13 +9,13 @@
 
 namespace compare::run {
 
-[[noreturn]] inline void leave_open(const graze::meeting& who, const char* what, const certified& t) {
+[[noreturn]] inline void leave_open(const graze::scene_pair& who, const char* what, const certified& t) {
     graze::undecided open(what, near_double(t));
     open.between(who);
     throw open;
 }
 
-[[noreturn]] inline void refute(const graze::meeting& who, const char* what, const certified& t) {
+[[noreturn]] inline void refute(const graze::scene_pair& who, const char* what, const certified& t) {
     throw refuted_event(to_string(who), what, near_double(t));
 }
 
@@ -108,7 +108,7 @@ template <class A, class B>
     return to != nullptr ? clear_between(of, from, *to, meet) : clear_after(of, from);
 }
 
-inline void judge(verdict v, const graze::meeting& who, const certified& from) {
+inline void judge(verdict v, const graze::scene_pair& who, const certified& from) {
     if (v == verdict::crossed) {
         refute(who, "met before that, and it was not told", from);
     }

@@ -43,14 +43,14 @@ event_check<N>::event_check(const owned_scene<N, certified>& scene)
 }
 
 template <int N>
-graze::meeting event_check<N>::named(int a, std::size_t standing) const {
+graze::scene_pair event_check<N>::named(int a, std::size_t standing) const {
     return standing < scene_.planes.size()
-               ? graze::meeting{graze::partner::plane, a, static_cast<int>(standing)}
-               : graze::meeting{graze::partner::wall, a, static_cast<int>(standing - scene_.planes.size())};
+               ? graze::scene_pair{graze::partner::plane, a, static_cast<int>(standing)}
+               : graze::scene_pair{graze::partner::wall, a, static_cast<int>(standing - scene_.planes.size())};
 }
 
 template <int N>
-void event_check<N>::event(const graze::meeting& who, const certified& t, const flight& a, const flight* b) {
+void event_check<N>::event(const graze::scene_pair& who, const certified& t, const flight& a, const flight* b) {
     if (is_periodic_) {
         return;
     }
@@ -67,7 +67,7 @@ void event_check<N>::event(const graze::meeting& who, const certified& t, const 
 }
 
 template <int N>
-void event_check<N>::start(int a, const flight& f, const certified& t, const graze::meeting& who) {
+void event_check<N>::start(int a, const flight& f, const certified& t, const graze::scene_pair& who) {
     mover& x = movers_[static_cast<std::size_t>(a)];
     if (x.immovable) {
         return;

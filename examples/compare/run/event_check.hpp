@@ -34,7 +34,7 @@ class event_check {
     explicit event_check(const owned_scene<N, certified>& scene);
 
     // b: of two balls, the second one's flight from then on. Told in the order of time where events share a ball.
-    void event(const graze::meeting& who, const certified& t, const flight& a, const flight* b);
+    void event(const graze::scene_pair& who, const certified& t, const flight& a, const flight* b);
     // That nothing else happened until then, or will ever happen.
     void end(const certified& t);
     void end_of_all();
@@ -47,7 +47,7 @@ class event_check {
     struct mover {
         flight now, coarse; // the same in few bits
         std::optional<flight> before;
-        std::optional<graze::meeting> last;
+        std::optional<graze::scene_pair> last;
         std::vector<side> sides; // of a point: from which it came to where it is now
         bool immovable, at_rest;
     };
@@ -58,7 +58,7 @@ class event_check {
     bool is_periodic_;
 
     [[nodiscard]] std::size_t standing() const { return scene_.planes.size() + scene_.walls.size(); }
-    [[nodiscard]] graze::meeting named(int a, std::size_t standing) const;
+    [[nodiscard]] graze::scene_pair named(int a, std::size_t standing) const;
     template <class F>
     auto with_standing(std::size_t standing, F f) const {
         return standing < scene_.planes.size() ? f(scene_.planes[standing])
@@ -66,19 +66,19 @@ class event_check {
     }
     [[nodiscard]] bool is_point(const mover& m) const { return m.now.state.radius.certain_sign() == 0; }
 
-    void check_place(const graze::meeting& who, const certified& t) const;
-    void check_laws(const graze::meeting& who, const certified& t, const flight& a, const flight* b) const;
-    void check_way(int a, const certified& t, const graze::meeting* event);
+    void check_place(const graze::scene_pair& who, const certified& t) const;
+    void check_laws(const graze::scene_pair& who, const certified& t, const flight& a, const flight* b) const;
+    void check_way(int a, const certified& t, const graze::scene_pair* event);
     void check_pair(int a, int b, const certified* t, bool meet) const;
     void check_standing(int a, std::size_t b, const certified* t, bool meet) const;
     void check_point(int a, std::size_t b, const certified* t, bool meet) const;
     [[nodiscard]] bool keeps_aside(const mover& x) const;
     [[nodiscard]] int side_along(const mover& x, const vector_of<N>& normal) const;
-    void note_sides(int a, const certified& t, const graze::meeting& who);
+    void note_sides(int a, const certified& t, const graze::scene_pair& who);
     // Of others that have been told of already, though their events are not certainly earlier than t: their ways until
     // then beside a's from t on.
-    void check_overtaken(int a, const certified& t, const graze::meeting& who) const;
-    void start(int a, const flight& f, const certified& t, const graze::meeting& who);
+    void check_overtaken(int a, const certified& t, const graze::scene_pair& who) const;
+    void start(int a, const flight& f, const certified& t, const graze::scene_pair& who);
 };
 
 } // namespace compare::run

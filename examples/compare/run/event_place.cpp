@@ -9,14 +9,14 @@ namespace compare::run {
 
 namespace {
 
-std::size_t standing_of(const graze::meeting& who, std::size_t planes) {
+std::size_t standing_of(const graze::scene_pair& who, std::size_t planes) {
     return static_cast<std::size_t>(who.b) + (who.with == graze::partner::wall ? planes : 0);
 }
 
 } // namespace
 
 template <int N>
-void event_check<N>::check_place(const graze::meeting& who, const certified& t) const {
+void event_check<N>::check_place(const graze::scene_pair& who, const certified& t) const {
     const mover& a = movers_[static_cast<std::size_t>(who.a)];
     const bool two = who.with == graze::partner::ball;
     const mover* b = two ? &movers_[static_cast<std::size_t>(who.b)] : nullptr;
@@ -63,7 +63,8 @@ void event_check<N>::check_place(const graze::meeting& who, const certified& t) 
 }
 
 template <int N>
-void event_check<N>::check_laws(const graze::meeting& who, const certified& t, const flight& a, const flight* b) const {
+void event_check<N>::check_laws(const graze::scene_pair& who, const certified& t, const flight& a,
+                                const flight* b) const {
     const mover& x = movers_[static_cast<std::size_t>(who.a)];
     const vector_of<N> at = place_at<N>(x.now, t), change = a.state.velocity - x.now.state.velocity;
     const auto is_wrong = [&](bool right) {

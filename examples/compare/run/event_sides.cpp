@@ -21,7 +21,7 @@ bool event_check<N>::keeps_aside(const mover& x) const {
 template <int N>
 void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool meet) const {
     const mover& x = movers_[static_cast<std::size_t>(a)];
-    const graze::meeting who = named(a, b);
+    const graze::scene_pair who = named(a, b);
     if (meet || x.last == who) { // it is there at one end of its way, and so nowhere between
         return;
     }
@@ -88,7 +88,7 @@ int event_check<N>::side_along(const mover& x, const vector_of<N>& normal) const
 }
 
 template <int N>
-void event_check<N>::note_sides(int a, const certified& t, const graze::meeting& who) {
+void event_check<N>::note_sides(int a, const certified& t, const graze::scene_pair& who) {
     mover& x = movers_[static_cast<std::size_t>(a)];
     const bool stands_still = (t - x.now.since).certain_sign() == 0;
     std::vector<side> sides;

@@ -8,7 +8,7 @@
 namespace compare::run {
 
 template <int N>
-void event_check<N>::check_way(int a, const certified& t, const graze::meeting* event) {
+void event_check<N>::check_way(int a, const certified& t, const graze::scene_pair* event) {
     const mover& x = movers_[static_cast<std::size_t>(a)];
     if (x.immovable) {
         return;
@@ -32,7 +32,7 @@ void event_check<N>::check_pair(int a, int b, const certified* t, bool meet) con
     if ((x.at_rest && y.at_rest) || (x.immovable && y.immovable)) {
         return;
     }
-    const graze::meeting who{graze::partner::ball, std::min(a, b), std::max(a, b)};
+    const graze::scene_pair who{graze::partner::ball, std::min(a, b), std::max(a, b)};
     if (is_point(x) && is_point(y) && (meet || (x.last == who && y.last == who))) {
         return; // two points are at one place at one instant at most
     }
@@ -61,14 +61,14 @@ void event_check<N>::check_standing(int a, std::size_t b, const certified* t, bo
 }
 
 template <int N>
-void event_check<N>::check_overtaken(int a, const certified& t, const graze::meeting& who) const {
+void event_check<N>::check_overtaken(int a, const certified& t, const graze::scene_pair& who) const {
     for (int b = 0; b < static_cast<int>(movers_.size()); ++b) {
         const mover& y = movers_[static_cast<std::size_t>(b)];
         if (b == a || !y.before || (who.with == graze::partner::ball && (b == who.a || b == who.b)) ||
             (t - y.now.since).certain_sign().value_or(-1) >= 0) {
             continue;
         }
-        const graze::meeting both{graze::partner::ball, std::min(a, b), std::max(a, b)};
+        const graze::scene_pair both{graze::partner::ball, std::min(a, b), std::max(a, b)};
         if ((t - y.before->since).certain_sign().value_or(-1) < 0) {
             leave_open(both, "the order of their events", t);
         }

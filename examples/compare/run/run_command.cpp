@@ -60,7 +60,7 @@ std::string overlap_remark(const exact_scene<N>& scene) {
         return ""; // images would have to be looked at
     }
     const auto own = scene_in<exact>(scene, exact(1), [](const exact& x) { return x; });
-    const std::vector<graze::meeting> pairs = graze::overlapping(own.view());
+    const std::vector<graze::scene_pair> pairs = graze::overlapping(own.view());
     if (pairs.empty()) {
         return "";
     }

@@ -23,7 +23,7 @@ struct end_state {
 };
 
 struct proved_event {
-    graze::meeting who;
+    graze::scene_pair who;
     std::string time; // in decimals
     double about;
     bool tied, either_order, chosen;

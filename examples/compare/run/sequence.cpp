@@ -103,7 +103,7 @@ true_sequence<N> sequence_of(const certified_result<N>& proved, const exact_scen
 }
 
 template <int N>
-void judge<N>::event(graze::meeting who, double time, const place& a, const place& b) {
+void judge<N>::event(graze::scene_pair who, double time, const place& a, const place& b) {
     const std::size_t k = found_.events.size();
     found_.events.push_back(who);
     found_.times.push_back(time);
@@ -178,7 +178,7 @@ first_mistake first_mistake_of(const history& found, const certified_result<N>& 
         return {mistake::none, at, 0, ""};
     }
     // The right ones among the first `at` are the truth's first, but for those of one time, which may be exchanged.
-    const auto comes = [](const auto& events, std::size_t from, const graze::meeting& who, auto name) {
+    const auto comes = [](const auto& events, std::size_t from, const graze::scene_pair& who, auto name) {
         const std::size_t to = std::min(events.size(), from + 64);
         for (std::size_t i = from; i < to; ++i) {
             if (name(events[i]) == who) {
@@ -187,7 +187,7 @@ first_mistake first_mistake_of(const history& found, const certified_result<N>& 
         }
         return false;
     };
-    const auto own = [](const graze::meeting& m) { return m; };
+    const auto own = [](const graze::scene_pair& m) { return m; };
     const auto true_name = [](const certified_event<N>& e) { return e.who; };
     if (at >= found.events.size()) {
         if (found.compared == comparison::part) {
@@ -197,7 +197,7 @@ first_mistake first_mistake_of(const history& found, const certified_result<N>& 
         return {found.problem.empty() ? mistake::missed : mistake::other, at, near_double(due.time),
                 to_string(due.who) + (found.problem.empty() ? " is missed" : ": " + found.problem)};
     }
-    const graze::meeting has = found.events[at];
+    const graze::scene_pair has = found.events[at];
     if (at >= all) {
         return {mistake::invented, at, found.times[at], to_string(has) + " is invented"};
     }

@@ -16,7 +16,7 @@ namespace compare::run {
 // where the balls that took part were then; b is a's place where a plane or wall was met.
 template <int N>
 struct true_step {
-    graze::meeting who;
+    graze::scene_pair who;
     bool exchangeable;
     graze::vec<N, wide> a, b;
 };
@@ -46,7 +46,7 @@ enum class comparison { whole, part, none };
 struct history {
     std::string type, library;
     comparison compared = comparison::whole;
-    std::vector<graze::meeting> events;
+    std::vector<graze::scene_pair> events;
     std::vector<double> times;
     std::vector<double> digits;       // at each event, while they are the true ones: decimal, of the worse ball's place
     std::optional<double> end_digits; // at the end, if all events are the true ones: of the worst ball's place
@@ -63,7 +63,7 @@ class judge {
     using place = std::optional<graze::vec<N, wide>>; // empty: not finite
     explicit judge(const true_sequence<N>& truth, history& found) : truth_(truth), found_(found) {}
 
-    void event(graze::meeting who, double time, const place& a, const place& b);
+    void event(graze::scene_pair who, double time, const place& a, const place& b);
     void end(const std::vector<place>& balls);
 
   private:

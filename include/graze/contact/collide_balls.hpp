@@ -30,15 +30,16 @@ constexpr void check_masses_of(const B& a, const B& b) {
 
 // Components that doubles have left open, of a hit or an overlap, by words and integers. Returns the stage.
 template <moving B>
-[[nodiscard, gnu::noinline]] stage complete_further(contact_of_movers<B>& c, parts open_parts, encounter what,
-                                                    const B& a, const B& b) {
+[[nodiscard, gnu::noinline]] stage complete_further(contact_of_movers<B>& c, component_set open_components,
+                                                    encounter what, const B& a, const B& b) {
     if (what == encounter::hit) {
-        open_parts &= ~contact_by_words(c, open_parts, a, b, mass_in_doubles(a, b), mass_in_doubles(b, a)).certain;
+        open_components &=
+            ~contact_by_words(c, open_components, a, b, mass_in_doubles(a, b), mass_in_doubles(b, a)).certain;
     }
-    if (open_parts == 0) {
+    if (open_components == 0) {
         return stage::double_word;
     }
-    complete(c, open_parts, what, a, b);
+    complete(c, open_components, what, a, b);
     return stage::exact;
 }
 
@@ -48,8 +49,9 @@ constexpr void complete_all(contact_of_movers<B>& c, encounter what, const B& a,
     using T = number_in<B>;
     const auto& x = state_of(a);
     const auto& y = state_of(b);
-    const parts given = set_given(c, what, a, b, effective_mass<T>(x.mass, y.mass), effective_mass<T>(y.mass, x.mass));
-    complete(c, all_parts & ~given, what, a, b);
+    const component_set given =
+        set_given(c, what, a, b, effective_mass<T>(x.mass, y.mass), effective_mass<T>(y.mass, x.mass));
+    complete(c, all_components & ~given, what, a, b);
 }
 
 // The contact of two movers whose encounter the filter leaves open.
@@ -72,7 +74,7 @@ template <moving B>
             }
         }
         if (r.what == undecided) {
-            r = contact_by_words(*c, all_parts, a, b, mass_a, mass_b);
+            r = contact_by_words(*c, all_components, a, b, mass_a, mass_b);
         }
         if (r.what != undecided) {
             const auto what = static_cast<encounter>(r.what);
@@ -80,15 +82,15 @@ template <moving B>
             if (!is_collision(what)) {
                 return {std::nullopt, r.decided_by};
             }
-            const parts open_parts = open_after(r.certain, *c, what, a, b, mass_a, mass_b);
-            if (open_parts == 0) {
+            const component_set open_components = open_after(r.certain, *c, what, a, b, mass_a, mass_b);
+            if (open_components == 0) {
                 return {c, r.decided_by};
             }
             if (r.decided_by == stage::filter) {
-                const stage by = complete_further(*c, open_parts, what, a, b);
+                const stage by = complete_further(*c, open_components, what, a, b);
                 return {c, by};
             }
-            complete(*c, open_parts, what, a, b);
+            complete(*c, open_components, what, a, b);
             return {c, stage::exact};
         }
     }
@@ -115,9 +117,10 @@ template <moving B, class Observer>
     std::optional<contact_of_movers<B>> c(std::in_place);
     if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest()) [[likely]] {
-            const parts open_parts = fast_contact(*c, what, a, b, mass_in_doubles(a, b), mass_in_doubles(b, a),
-                                                  root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
-            observer(open_parts == 0 ? stage::filter : complete_further(*c, open_parts, what, a, b));
+            const component_set open_components =
+                contact_in_doubles(*c, what, a, b, mass_in_doubles(a, b), mass_in_doubles(b, a),
+                                   root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
+            observer(open_components == 0 ? stage::filter : complete_further(*c, open_components, what, a, b));
             return c;
         }
     }

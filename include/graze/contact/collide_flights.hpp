@@ -22,13 +22,14 @@ struct clock_of_flight {
     }
     // Rounds the time, if it is wanted, and returns what is left.
     template <class P, int N, class Shape>
-    [[nodiscard]] constexpr parts without_time(wall_contact<N, T>& c, parts wanted, encounter what, int number, P pair,
-                                               const ball<N, T>& b, const Shape& shape) const {
+    [[nodiscard]] constexpr component_set without_time(wall_contact<N, T>& c, component_set wanted, encounter what,
+                                                       int number, P pair, const ball<N, T>& b,
+                                                       const Shape& shape) const {
         if (has_time(wanted)) {
             const event<N, T> e(pair, flight<N, T>{b, since}, shape, kind_of<N>(pair, c.feature), number, false);
             c.time = what == encounter::overlap ? start_of<T>({since, since}) : round_exactly<T>(e, rounding::nearest);
         }
-        return wanted & ~parts{1};
+        return wanted & ~component_set{1};
     }
 };
 

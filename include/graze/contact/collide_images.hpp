@@ -10,7 +10,8 @@
 
 namespace graze::inline v0_1::detail {
 
-inline constexpr parts position_parts = three_from(part::position_a) | three_from(part::position_b);
+inline constexpr component_set position_parts =
+    three_from(contact_component::position_a) | three_from(contact_component::position_b);
 
 // Where two flights really are when their stand-ins hit, which they do at about `time` from their start. False if
 // nothing is known.
@@ -35,9 +36,9 @@ struct positions_by_doubles {
 
 // Fills in the positions that doubles are certain of; the others are returned.
 template <int N, class T>
-[[nodiscard, gnu::noinline]] parts fast_positions(contact<N, T>& c, const flight<N, T>& a, const flight<N, T>& b,
-                                                  const stand_ins<N, T>& pair) noexcept {
-    constexpr parts wanted = position_parts & every_part<N>;
+[[nodiscard, gnu::noinline]] component_set fast_positions(contact<N, T>& c, const flight<N, T>& a,
+                                                          const flight<N, T>& b, const stand_ins<N, T>& pair) noexcept {
+    constexpr component_set wanted = position_parts & every_part<N>;
     if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest() && has_usual_size(pair.a, pair.b) && has_usual_size(a, b)) {
             if (const auto f = start_filter(pair.a, pair.b).finish(); f.certain && f.what() == encounter::hit) {
@@ -54,7 +55,7 @@ template <int N, class T>
 
 // Rounds the positions that are wanted, by integers.
 template <int N, class T>
-[[gnu::noinline]] void round_positions(contact<N, T>& c, parts wanted, encounter what, const flight<N, T>& a,
+[[gnu::noinline]] void round_positions(contact<N, T>& c, component_set wanted, encounter what, const flight<N, T>& a,
                                        const flight<N, T>& b, const std::array<std::int32_t, 3>& periods,
                                        const vec<N, T>& period) {
     timed_workspace room;
@@ -82,8 +83,8 @@ template <int N, class T>
         const auto rounded = [&](const big_integer& x) {
             return round_to<T>(x, big_integer(0), radicand<big_integer>(), big_integer(1), units.length);
         };
-        fill(c.position_a, wanted, part::position_a, &room, [&](int i) { return rounded(position_a[i]); });
-        fill(c.position_b, wanted, part::position_b, &room, [&](int i) { return rounded(position_b[i]); });
+        fill(c.position_a, wanted, contact_component::position_a, &room, [&](int i) { return rounded(position_a[i]); });
+        fill(c.position_b, wanted, contact_component::position_b, &room, [&](int i) { return rounded(position_b[i]); });
         return;
     }
     const auto motion = displaced.motion();
@@ -102,7 +103,7 @@ template <int N, class T>
     const stand_ins<N, T> pair(a, b, periods, period);
     auto c = collide(pair.a, pair.b);
     if (c) {
-        if (const parts wanted = fast_positions(*c, a, b, pair); wanted != 0) {
+        if (const component_set wanted = fast_positions(*c, a, b, pair); wanted != 0) {
             round_positions(*c, wanted, classify(pair.a, pair.b), a, b, periods, period);
         }
     }

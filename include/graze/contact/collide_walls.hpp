@@ -1,9 +1,9 @@
 // When, where and how a ball meets a plane, a wall or a triangle and leaves it, every number correctly rounded.
 #pragma once
 
-#include <graze/contact/fast_wall.hpp>
 #include <graze/contact/flat_contact.hpp>
 #include <graze/contact/round_walls.hpp>
+#include <graze/contact/wall_in_words.hpp>
 #include <graze/machine/fused.hpp>
 #include <graze/time/enclose_flat.hpp>
 
@@ -16,7 +16,7 @@ namespace detail {
 
 // Rounds the wanted components of a ball's contact with a plane or a wall that it meets, by integers.
 template <class P, int N, class T, class Shape>
-[[gnu::noinline]] constexpr void complete(P, wall_contact<N, T>& c, parts wanted, encounter what, int index,
+[[gnu::noinline]] constexpr void complete(P, wall_contact<N, T>& c, component_set wanted, encounter what, int index,
                                           const ball<N, T>& b, const Shape& shape) {
     exact_workspace room;
     auto in = lift_row<P>(packed<P>(b, shape));
@@ -48,7 +48,7 @@ struct own_clock {
     [[nodiscard]] bounded<double> operator()(const bounded<double>& time) const noexcept { return time; }
     // What is left to be rounded by integers.
     template <class... Pair>
-    [[nodiscard]] constexpr parts without_time(auto&, parts wanted, const Pair&...) const noexcept {
+    [[nodiscard]] constexpr component_set without_time(auto&, component_set wanted, const Pair&...) const noexcept {
         return wanted;
     }
 };
@@ -56,15 +56,16 @@ struct own_clock {
 // Fills in the components of which doubles and double words are certain, for a pair that meets near `time` if that is
 // not 0.
 template <class P, int N, class T, class Shape, class Clock>
-[[nodiscard]] parts contact_by_words(P pair, wall_contact<N, T>& c, encounter what, int index, const ball<N, T>& b,
-                                     const Shape& shape, double time, const Clock& clock) noexcept {
-    parts wanted = all_parts;
+[[nodiscard]] component_set contact_by_words(P pair, wall_contact<N, T>& c, encounter what, int index,
+                                             const ball<N, T>& b, const Shape& shape, double time,
+                                             const Clock& clock) noexcept {
+    component_set wanted = all_components;
     if (time > 0) {
         const auto row = packed<P>(b, shape);
         const auto kind = kind_of<N>(pair, c.feature);
         wanted = with_best_products(flat_contact_near<N, T, Clock>{&c, kind, index, row.data(), time, &clock});
     }
-    return wanted == 0 ? wanted : wanted & fast_wall(pair, c, what, index, b, shape, clock);
+    return wanted == 0 ? wanted : wanted & wall_in_words(pair, c, what, index, b, shape, clock);
 }
 
 // The contact of a ball whose encounter has been decided, near `time` if that is not 0.
@@ -85,7 +86,7 @@ contact_of(P pair, const wall_encounter& found, stage decided_by, const ball<N, 
     if (found.what == encounter::overlap) {
         c->position = with_plain_zeros(b.position);
     }
-    parts wanted = all_parts;
+    component_set wanted = all_components;
     if constexpr (has_error_free_doubles) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
             wanted = contact_by_words(pair, *c, found.what, number, b, whole, time, clock);

@@ -1,10 +1,10 @@
 // All components of two movers' contact, from their motion in integers.
 #pragma once
 
+#include <graze/contact/components.hpp>
 #include <graze/contact/contact.hpp>
-#include <graze/contact/exact_approach.hpp>
+#include <graze/contact/exact_contact.hpp>
 #include <graze/contact/masses.hpp>
-#include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
 
 namespace graze::inline v0_1::detail {
@@ -20,7 +20,7 @@ struct exact_balls {
 
 // For an overlap the caller sets time and positions.
 template <int N, class T, class M, class X, class U, class W, class From = from_now>
-constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const exact_balls<N, M, X, U, W>& e,
+constexpr void round_balls(contact<N, T>& c, component_set wanted, encounter what, const exact_balls<N, M, X, U, W>& e,
                            scales units, const From& counted = {}) {
     const auto twice_a = graze::twice(e.mass_a);
     const auto twice_b = graze::twice(e.mass_b);
@@ -28,30 +28,30 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
     const auto velocities = [&](const auto& exact) {
         const auto divisor = exact.velocity_divisor(sum);
         if (graze::sign(e.mass_b) != 0) {
-            fill(c.velocity_a, wanted, part::velocity_a, units.room,
+            fill(c.velocity_a, wanted, contact_component::velocity_a, units.room,
                  [&](int i) { return exact.velocity(e.velocity_a[i], i, twice_b, divisor); });
         }
         if (graze::sign(e.mass_a) != 0) {
-            fill(c.velocity_b, wanted, part::velocity_b, units.room,
+            fill(c.velocity_b, wanted, contact_component::velocity_b, units.room,
                  [&](int i) { return exact.velocity(e.velocity_b[i], i, -twice_a, divisor); });
         }
     };
     if (what == encounter::overlap) {
         const exact_overlap<T, M> exact(e.relative, units);
-        fill(c.normal, wanted, part::normal, units.room, [&](int i) { return exact.normal(i); });
+        fill(c.normal, wanted, contact_component::normal, units.room, [&](int i) { return exact.normal(i); });
         velocities(exact);
         return;
     }
-    const exact_approach<T, M> exact(e.relative, units);
+    const exact_contact<T, M> exact(e.relative, units);
     if (has_time(wanted)) {
         c.time = exact.time(counted);
     }
-    fill(c.position_a, wanted, part::position_a, units.room,
+    fill(c.position_a, wanted, contact_component::position_a, units.room,
          [&](int i) { return exact.path.position(e.position_a[i], e.velocity_a[i]); });
-    fill(c.position_b, wanted, part::position_b, units.room,
+    fill(c.position_b, wanted, contact_component::position_b, units.room,
          [&](int i) { return exact.path.position(e.position_b[i], e.velocity_b[i]); });
     if (graze::sign(e.relative.R) != 0) { // otherwise two points, which graze
-        fill(c.normal, wanted, part::normal, units.room, [&](int i) { return exact.normal(i); });
+        fill(c.normal, wanted, contact_component::normal, units.room, [&](int i) { return exact.normal(i); });
     }
     if (what == encounter::hit) {
         velocities(exact);
@@ -61,7 +61,7 @@ constexpr void round_balls(contact<N, T>& c, parts wanted, encounter what, const
 // Rounds the wanted components of the contact of two movers that meet, by integers. Of an overlap the caller sets the
 // time and the positions of those that start then.
 template <moving B, class Contact>
-[[gnu::noinline]] constexpr void complete(Contact& c, parts wanted, encounter what, const B& a, const B& b) {
+[[gnu::noinline]] constexpr void complete(Contact& c, component_set wanted, encounter what, const B& a, const B& b) {
     constexpr int N = dimension_of<B>;
     using T = number_in<B>;
     using P = two_balls<N>;
@@ -95,8 +95,10 @@ template <moving B, class Contact>
             const auto rounded = [&](const big_integer& coordinate) {
                 return round_to<T>(coordinate, big_integer(0), radicand<big_integer>(), big_integer(1), units.length);
             };
-            fill(c.position_a, wanted, part::position_a, &room, [&](int i) { return rounded(position_a[i]); });
-            fill(c.position_b, wanted, part::position_b, &room, [&](int i) { return rounded(position_b[i]); });
+            fill(c.position_a, wanted, contact_component::position_a, &room,
+                 [&](int i) { return rounded(position_a[i]); });
+            fill(c.position_b, wanted, contact_component::position_b, &room,
+                 [&](int i) { return rounded(position_b[i]); });
         }
         round_all(pair.motion(), position_a, position_b, from_earlier<big_integer>{pair.start()});
     } else {

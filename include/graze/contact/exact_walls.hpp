@@ -15,7 +15,7 @@
 //   velocity  u + 2 √D/(e·e r) X̂ = (a e·e r² u - 2 D' e × (u × e) + 2 t √D (u × e))/(a e·e r²).
 #pragma once
 
-#include <graze/contact/exact_approach.hpp>
+#include <graze/contact/exact_contact.hpp>
 #include <graze/formula/wall_features.hpp>
 
 namespace graze::inline v0_1::detail {
@@ -23,7 +23,7 @@ namespace graze::inline v0_1::detail {
 // A ball that meets a plane with hit or overlap; I: the integers of the ball's position.
 template <class T, int N, class M, class I>
 class exact_plane {
-    using Z = surd_integer_for<M>;
+    using Z = root_sum_integer_for<M>;
 
   public:
     constexpr exact_plane(const M& m, const vec<N, I>& x, bool inside, scales units)
@@ -88,7 +88,7 @@ template <class T, class M>
 class exact_edge {
     template <class F>
     using value = decltype(F{}(std::declval<M>()));
-    using Z = surd_integer_for<M>;
+    using Z = root_sum_integer_for<M>;
     using path_type = exact_path<T, Z, value<edge_a>, value<edge_h>>;
 
   public:

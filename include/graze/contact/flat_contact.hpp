@@ -4,21 +4,21 @@
 // then right to 2^-96 κ⁴; u·n/|n| to 2^-96 V κ⁴, V = Σ|u_i|, and the velocity u - 2 (u·n/|n|) n/|n| to 2^-94 V κ⁴.
 #pragma once
 
+#include <graze/contact/components.hpp>
 #include <graze/contact/contact.hpp>
-#include <graze/contact/parts.hpp>
 #include <graze/time/flat_time.hpp>
 
 namespace graze::inline v0_1::detail {
 
 // Takes numbers and writes those whose rounding is certain.
 template <int N, class T>
-class rounded_parts {
+class rounded_set {
   public:
     [[gnu::always_inline]] void operator()(const bounded<double>& y, int number, T& to) noexcept {
         const ends<double> interval = ends_of<T>(bounded<double>{y.high, y.low, y.error + underflow});
         const bool certain = agree<T>(interval);
         to = certain ? static_cast<T>(interval.upper) : to;
-        certain_ |= parts{certain} << number;
+        certain_ |= component_set{certain} << number;
     }
     // x + y, which the machine rounds as we do.
     [[gnu::always_inline]] void sum(double x, double y, int number, T& to) noexcept {
@@ -32,12 +32,12 @@ class rounded_parts {
     // What is exact.
     [[gnu::always_inline]] void exact(double x, int number, T& to) noexcept {
         to = with_plain_zero(static_cast<T>(x));
-        certain_ |= parts{1} << number;
+        certain_ |= component_set{1} << number;
     }
-    [[nodiscard]] parts open_parts() const noexcept { return (N == 3 ? 0x1fffU : 0xdb7U) & ~certain_; }
+    [[nodiscard]] component_set open_components() const noexcept { return (N == 3 ? 0x1fffU : 0xdb7U) & ~certain_; }
 
   private:
-    parts certain_ = 0;
+    component_set certain_ = 0;
 };
 
 // Whether no product of two of these numbers underflows to a zero.
@@ -58,7 +58,7 @@ template <bool Fused, int N, class T>
 struct path_in_parts {
     const flat_row<N>& f;
     const flat_time& t;
-    rounded_parts<N, T>& take;
+    rounded_set<N, T>& take;
 
     struct step {
         exact_pair<double> position;
@@ -74,7 +74,7 @@ struct path_in_parts {
                 size + 1.01 * absolute(f.u[i]) * t.error,
                 bits_of(f.u[i]) << 1 == 0};
     }
-    [[gnu::always_inline]] void take_position(const step& s, int i, wall_part part, T& to) const noexcept {
+    [[gnu::always_inline]] void take_position(const step& s, int i, wall_component part, T& to) const noexcept {
         if (s.stays) {
             take.exact(f.x[i], static_cast<int>(part) + i, to);
         } else {
@@ -113,20 +113,20 @@ template <bool Fused, int N, class T>
     const bool known_zeros = zeros == 0 || has_no_tiny_edge(f);
     for (int i = 0; i < N; ++i) {
         const auto s = path.at(i);
-        const int at_point = static_cast<int>(wall_part::point) + i;
-        const int at_normal = static_cast<int>(wall_part::normal) + i;
-        const int at_velocity = static_cast<int>(wall_part::velocity) + i;
+        const int at_point = static_cast<int>(wall_component::point) + i;
+        const int at_normal = static_cast<int>(wall_component::normal) + i;
+        const int at_velocity = static_cast<int>(wall_component::velocity) + i;
         const bool is_axis = known_zeros && zeros == N - 1 && !is_exact_zero(n[i]);
         if (is_axis) {
             path.take.sum(f.corner[i], below != (n[i].value < 0) ? -f.r : f.r,
-                          static_cast<int>(wall_part::position) + i, c.position[i]);
+                          static_cast<int>(wall_component::position) + i, c.position[i]);
         } else {
-            path.take_position(s, i, wall_part::position, c.position[i]);
+            path.take_position(s, i, wall_component::position, c.position[i]);
         }
         if (known_zeros && is_exact_zero(n[i])) {
             path.take.exact(0, at_normal, c.normal[i]);
             path.take.exact(f.u[i], at_velocity, c.velocity[i]);
-            path.take_position(s, i, wall_part::point, c.point[i]);
+            path.take_position(s, i, wall_component::point, c.point[i]);
             continue;
         }
         const auto unit = product_in_parts<Fused>(n[i], per_length);
@@ -182,23 +182,23 @@ template <bool Fused, int N, class T>
     const double relative = (error + 0x1p-97 * y.size) * per_radius.value + 0x1p-99;
     for (int i = 0; i < N; ++i) {
         const auto s = path.at(i);
-        path.take_position(s, i, wall_part::position, c.position[i]);
-        const int at_point = static_cast<int>(wall_part::point) + i;
+        path.take_position(s, i, wall_component::position, c.position[i]);
+        const int at_point = static_cast<int>(wall_component::point) + i;
         if (i == axis) {
-            path.take.exact(0, static_cast<int>(wall_part::normal) + i, c.normal[i]);
-            path.take.exact(f.u[i], static_cast<int>(wall_part::velocity) + i, c.velocity[i]);
-            path.take_position(s, i, wall_part::point, c.point[i]);
+            path.take.exact(0, static_cast<int>(wall_component::normal) + i, c.normal[i]);
+            path.take.exact(f.u[i], static_cast<int>(wall_component::velocity) + i, c.velocity[i]);
+            path.take_position(s, i, wall_component::point, c.point[i]);
             continue;
         }
         const auto unit = product_in_parts<Fused>(y[i], per_radius);
-        path.take({unit.value, unit.error, relative}, static_cast<int>(wall_part::normal) + i, c.normal[i]);
+        path.take({unit.value, unit.error, relative}, static_cast<int>(wall_component::normal) + i, c.normal[i]);
         const auto velocity = sum_in_parts({f.u[i], 0}, negated(product_in_parts<Fused>(change, y[i])));
-        path.take({velocity.value, velocity.error, 8 * V * relative}, static_cast<int>(wall_part::velocity) + i,
+        path.take({velocity.value, velocity.error, 8 * V * relative}, static_cast<int>(wall_component::velocity) + i,
                   c.velocity[i]);
         if (d == nullptr || axis >= 0) {
             if constexpr (N == 3) {
                 if (corner == 3) {
-                    const auto edge = difference_in_parts<N>(exact_parts<N>(f.corner), -f.edge[0]);
+                    const auto edge = difference_in_parts<N>(exact_components<N>(f.corner), -f.edge[0]);
                     const auto far = difference_in_parts<N>(edge, -f.edge[1]);
                     path.take({far[i].value, far[i].error, 0x1p-103 * far.size}, at_point, c.point[i]);
                     continue;
@@ -224,23 +224,23 @@ struct flat_contact_near {
     const Clock* clock;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] parts operator()(std::bool_constant<Fused>) const noexcept {
+    [[nodiscard, gnu::always_inline]] component_set operator()(std::bool_constant<Fused>) const noexcept {
         const flat_row<N> f(kind, row);
         double V = 0, size = f.r;
         for (int i = 0; i < N; ++i) {
             V += absolute(f.u[i]);
             size += absolute(f.x[i]) + absolute(f.corner[i]);
         }
-        rounded_parts<N, T> take;
+        rounded_set<N, T> take;
         if (kind == event_kind::plane || kind == event_kind::face) {
             const auto from = difference_in_parts<N>(f.x, f.corner);
             const auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(kind, f), f.r, time);
             if (!(touch.time.good && are_moderate(size, V, touch.n.size, time))) [[unlikely]] {
-                return all_parts;
+                return all_components;
             }
             take((*clock)(touch.time.bounds()), 0, c->time);
             take_face_contact<Fused, N, T>(*c, {f, touch.time, take}, touch, V);
-            return take.open_parts();
+            return take.open_components();
         }
         const bool is_edge = N == 3 && kind == event_kind::edge;
         const int from_corner = is_edge ? edge_view(index).corner : index;
@@ -257,7 +257,7 @@ struct flat_contact_near {
             t = touch_corner<Fused, N>(from, f.u, f.r, time);
         }
         if (!(t.good && are_moderate(size + from.size, V, is_edge ? d.size : 1.0, time, f.r))) [[unlikely]] {
-            return all_parts;
+            return all_components;
         }
         take((*clock)(t.bounds()), 0, c->time);
         auto y = moved<Fused, N>(from, f.u, t.high);
@@ -266,7 +266,7 @@ struct flat_contact_near {
         }
         take_round_contact<Fused, N, T>(*c, {f, t, take}, y, 1.01 * V * t.error + 0x1p-100 * y.size,
                                         is_edge ? &d : nullptr, from_corner, V);
-        return take.open_parts();
+        return take.open_components();
     }
 };
 

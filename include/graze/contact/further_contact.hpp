@@ -10,9 +10,10 @@ namespace graze::inline v0_1::detail {
 
 // to[i] = from[i] 2^power for those that are wanted, where both are normal numbers; says which.
 template <int N>
-[[nodiscard, gnu::always_inline]] inline parts scale_back(vec<N, double>& to, const vec<N, double>& from, part first,
-                                                          parts wanted, int power) noexcept {
-    parts done = 0;
+[[nodiscard, gnu::always_inline]] inline component_set scale_back(vec<N, double>& to, const vec<N, double>& from,
+                                                                  contact_component first, component_set wanted,
+                                                                  int power) noexcept {
+    component_set done = 0;
     for (int i = 0; i < N; ++i) {
         const int number = static_cast<int>(first) + i;
         const std::uint64_t bits = bits_of(from[i]);
@@ -20,7 +21,7 @@ template <int N>
         const bool is_normal = field != 0 && 0 < field + power && field + power < 0x7ff;
         if (is_normal && (wanted >> number & 1U) != 0) {
             to[i] = std::bit_cast<double>(bits + (static_cast<std::uint64_t>(std::int64_t{power}) << 52));
-            done |= parts{1} << number;
+            done |= component_set{1} << number;
         }
     }
     return done;
@@ -28,14 +29,14 @@ template <int N>
 
 // The same of all components, from units of lengths and velocities of 2^length and 2^velocity.
 template <int N>
-[[nodiscard]] parts scale_back(contact<N, double>& c, const rounded_components<N, double>& x, parts wanted, int length,
-                               int velocity) noexcept {
+[[nodiscard]] component_set scale_back(contact<N, double>& c, const rounded_components<N, double>& x,
+                                       component_set wanted, int length, int velocity) noexcept {
     wanted &= x.certain;
-    parts done = scale_back(c.position_a, x.c.position_a, part::position_a, wanted, length) |
-                 scale_back(c.position_b, x.c.position_b, part::position_b, wanted, length) |
-                 scale_back(c.normal, x.c.normal, part::normal, wanted, 0) |
-                 scale_back(c.velocity_a, x.c.velocity_a, part::velocity_a, wanted, velocity) |
-                 scale_back(c.velocity_b, x.c.velocity_b, part::velocity_b, wanted, velocity);
+    component_set done = scale_back(c.position_a, x.c.position_a, contact_component::position_a, wanted, length) |
+                         scale_back(c.position_b, x.c.position_b, contact_component::position_b, wanted, length) |
+                         scale_back(c.normal, x.c.normal, contact_component::normal, wanted, 0) |
+                         scale_back(c.velocity_a, x.c.velocity_a, contact_component::velocity_a, wanted, velocity) |
+                         scale_back(c.velocity_b, x.c.velocity_b, contact_component::velocity_b, wanted, velocity);
     if (has_time(wanted)) {
         if (const auto time = rounded_quickly<double>(x.time, length - velocity)) {
             c.time = *time;
@@ -50,7 +51,7 @@ template <int N>
 struct further_contact {
     int what = undecided;
     stage decided_by = stage::double_word;
-    parts certain = 0;
+    component_set certain = 0;
 };
 
 // For movers in unusual units: by the filter and doubles, after scaling.
@@ -74,7 +75,7 @@ template <moving B>
             rounded_components<dimension_of<B>, double> taken{found};
             const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
             if (contact_by_doubles(taken, f.what(), s.a, s.b, mass_a, mass_b, near)) {
-                r.certain = scale_back(c, taken, all_parts, s.length, s.velocity);
+                r.certain = scale_back(c, taken, all_components, s.length, s.velocity);
             }
         }
     }
@@ -97,8 +98,8 @@ template <class Taker, moving B>
 
 // In words: writes those of the wanted components that are certain. Of movers whose radii are not negative.
 template <int N, class T, moving B>
-[[nodiscard, gnu::noinline]] further_contact contact_by_words(contact<N, T>& c, parts wanted, const B& a, const B& b,
-                                                              double mass_a, double mass_b) noexcept {
+[[nodiscard, gnu::noinline]] further_contact contact_by_words(contact<N, T>& c, component_set wanted, const B& a,
+                                                              const B& b, double mass_a, double mass_b) noexcept {
     further_contact r;
     if constexpr (std::same_as<number_in<B>, float>) {
         return keeps_subnormals() ? contact_by_words(c, wanted, in_doubles(a), in_doubles(b), mass_a, mass_b) : r;
@@ -108,12 +109,12 @@ template <int N, class T, moving B>
         }
         if (has_usual_size(a, b)) {
             contact<N, T> found;
-            rounded_components<N, T> taken{wanted == all_parts ? c : found};
+            rounded_components<N, T> taken{wanted == all_components ? c : found};
             const auto w = take_by_words(taken, a, b, mass_a, mass_b);
             r.what = w.what;
             r.certain = wanted & taken.certain;
-            if (wanted != all_parts) {
-                for (parts rest = r.certain; rest != 0; rest &= rest - 1) {
+            if (wanted != all_components) {
+                for (component_set rest = r.certain; rest != 0; rest &= rest - 1) {
                     const int number = std::countr_zero(rest);
                     component(c, number) = component(found, number);
                 }

@@ -1,11 +1,11 @@
 // The steps from the instant of contact to the contact, in lanes of doubles with proven errors.
 //
-// Errors of low parts are counted as in predicate/fast_approach.hpp, whose bounds and notation are used; e is its error
-// of the time. proofs/contact/parts.cpp derives the counts from these steps.
+// Errors of low parts are counted as in predicate/newton_approach.hpp, whose bounds and notation are used; e is its
+// error of the time. proofs/contact/parts.cpp derives the counts from these steps.
 #pragma once
 
+#include <graze/time/certain_rounding.hpp>
 #include <graze/time/mover_approach.hpp>
-#include <graze/time/rounding_test.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -36,7 +36,7 @@ position_in_parts(const V& x, const V& u, const factor<V, Fused>& t0, const S& t
 }
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline bounded<lanes> bounded_position(const lanes& x, const lanes& u,
-                                                                         const fast_approach<Fused>& r) noexcept {
+                                                                         const newton_approach<Fused>& r) noexcept {
     const auto y = position_in_parts(x, u, r.t0, r.t1);
     return {y.value, y.error, 0x1p-104 * absolute(x) + absolute(u) * (1.25 * r.error) + underflow};
 }

@@ -4,7 +4,7 @@
 // far away; √D is the speed at which they close times R. In the plane and in space, with any lengths and velocities.
 #pragma once
 
-#include <graze/contact/fast_contact.hpp>
+#include <graze/contact/contact_in_doubles.hpp>
 #include <graze/formula/contact.hpp>
 #include <graze/time/further_time.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <graze/analysis/error_bound.hpp>
 #include <graze/formula/flat_encounter.hpp>
-#include <graze/pair/rounded_motion.hpp>
+#include <graze/pair/computed_motion.hpp>
 
 namespace graze::inline v0_1::detail {
 

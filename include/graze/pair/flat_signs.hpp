@@ -4,8 +4,8 @@
 #include <graze/filter/scaled_filter.hpp>
 #include <graze/formula/flat_encounter.hpp>
 #include <graze/pair/bounded_double.hpp>
+#include <graze/pair/computed_motion.hpp>
 #include <graze/pair/flat_bounds.hpp>
-#include <graze/pair/rounded_motion.hpp>
 #include <graze/pair/stage.hpp>
 
 #include <algorithm>
@@ -130,8 +130,8 @@ template <int N>
 
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] constexpr inline flat_motion<N, double>
-rounded_flat_motion(const ball<N, T>& b, const vec<N, T>& corner, const std::array<vec<N, T>, N - 1>& edge,
-                    bool is_triangle) noexcept {
+computed_flat_motion(const ball<N, T>& b, const vec<N, T>& corner, const std::array<vec<N, T>, N - 1>& edge,
+                     bool is_triangle) noexcept {
     std::array<vec<N, double>, N - 1> e{};
     for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(N); ++i) {
         e[i] = rounded(wide(edge[i]));

@@ -3,8 +3,8 @@
 
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/flight_motion.hpp>
+#include <graze/pair/computed_motion.hpp>
 #include <graze/pair/moving.hpp>
-#include <graze/pair/rounded_motion.hpp>
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace graze::inline v0_1::detail {
 template <int N, class T, class F>
 [[nodiscard, gnu::always_inline]] inline auto with_motion_at_start(const ball<N, T>& a, const ball<N, T>& b,
                                                                    F use) noexcept {
-    const auto m = rounded_motion(a, b);
+    const auto m = computed_motion(a, b);
     return use(m, graze::squared_norm(m.dx) + m.R * m.R, true);
 }
 
@@ -29,7 +29,7 @@ template <int N, class T, class F>
     constexpr int range = std::is_same_v<T, float> ? 30 : 500;
     const double lead = wide(b.since) - wide(a.since);
     const vec<N, double> u = wide(lead > 0 ? a.state.velocity : b.state.velocity);
-    const auto now = rounded_motion(a.state, b.state);
+    const auto now = computed_motion(a.state, b.state);
     const double length2 = graze::squared_norm(now.dx) + graze::squared_norm(lead * u) + now.R * now.R;
     const unsigned known_lead = static_cast<unsigned>(bits_of(a.since) == bits_of(b.since)) |
                                 static_cast<unsigned>(within_powers<-range, range>(std::fabs(lead)));

@@ -2,7 +2,7 @@
 // keeps.
 #pragma once
 
-#include <graze/filter/exact_tier.hpp>
+#include <graze/filter/exact_stage.hpp>
 #include <graze/formula/wall_features.hpp>
 
 #include <algorithm>

@@ -33,7 +33,7 @@ struct filtered_plane {
     // In range no scale is below the least of usable() and both is moderate: then the others' products with n are
     // below 2^500, and what is lost to underflow is nothing beside them. A NaN or an infinity makes `both` one.
     [[gnu::always_inline]] constexpr filtered_plane(const ball<N, T>& b, const plane<N, T>& p) noexcept
-        : motion(rounded_motion(b, p)), scales(magnitudes_of(motion)), height(plane_height{}(motion)),
+        : motion(computed_motion(b, p)), scales(magnitudes_of(motion)), height(plane_height{}(motion)),
           speed(plane_speed{}(motion)), square(graze::squared_norm(motion.n)), size(scales.length * scales.normal),
           both(size * (scales.velocity * scales.normal)),
           in_range(static_cast<unsigned>(within_powers<-300, 300>(both)) &

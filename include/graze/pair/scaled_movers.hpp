@@ -5,8 +5,8 @@
 #include <graze/exact/binary.hpp>
 #include <graze/machine/environment.hpp>
 #include <graze/machine/fence.hpp>
+#include <graze/pair/computed_motion.hpp>
 #include <graze/pair/moving.hpp>
-#include <graze/pair/rounded_motion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ struct scaled_motion {
     bool known, safe;
 
     [[gnu::always_inline]] scaled_motion(const ball<N, double>& a, const ball<N, double>& b) noexcept
-        : motion(rounded_motion(a, b)) {
+        : motion(computed_motion(a, b)) {
         double largest_length = std::fabs(motion.R), largest_velocity = std::fabs(motion.du[0]);
         for (int i = 0; i < N; ++i) {
             largest_length = std::max(largest_length, std::fabs(motion.dx[i]));

@@ -30,7 +30,7 @@ struct filtered_flat {
 
     template <class Shape>
     [[gnu::always_inline]] constexpr filtered_flat(const ball<N, T>& b, const Shape& shape) noexcept
-        : motion(rounded_flat_motion(b, shape.corner, shape.edge, is_triangle<Shape>)), judge{magnitudes_of(motion)},
+        : motion(computed_flat_motion(b, shape.corner, shape.edge, is_triangle<Shape>)), judge{magnitudes_of(motion)},
           in_range(usable<T>(judge.scales) && plain_radii(b.radius, b.radius)) {}
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <graze/machine/fused.hpp>
-#include <graze/pair/bounded_motion.hpp>
 #include <graze/pair/scaled_movers.hpp>
+#include <graze/pair/sized_motion.hpp>
 #include <graze/pair/stage.hpp>
 #include <graze/predicate/filtered_balls.hpp>
 

@@ -23,7 +23,7 @@ using image_index = std::array<std::int32_t, 3>;
 
 // Body a, a ball, meets that image of body b not before lower, unless one of the two has had another event since
 // (counts).
-struct foreseen {
+struct predicted {
     double lower;
     body a;
     body b;

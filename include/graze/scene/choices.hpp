@@ -6,11 +6,11 @@
 namespace graze::inline v0_1::detail {
 
 // The balls, except mirrors, of the events of one time.
-class due_balls {
+class balls_of_events {
   public:
     // Notes whose they are, and marks the events that share a ball with another one.
     template <mechanics M>
-    void note(const moving_scene<M>& scene, std::vector<due<typename M::time>>& events) {
+    void note(const moving_scene<M>& scene, std::vector<timed_event<typename M::time>>& events) {
         entries_.clear();
         if (events.size() < 2) {
             return;
@@ -33,14 +33,14 @@ class due_balls {
     // Marks those events, from one on, that share a ball with what an event at `now` has brought about, if that is of
     // just the same time.
     template <mechanics M>
-    void compare(const moving_scene<M>& scene, const std::vector<foreseen>& found, const typename M::time& now,
-                 std::vector<due<typename M::time>>& events, std::size_t from) const {
+    void compare(const moving_scene<M>& scene, const std::vector<predicted>& found, const typename M::time& now,
+                 std::vector<timed_event<typename M::time>>& events, std::size_t from) const {
         if (from >= events.size()) {
             return;
         }
         const double latest = scene.rules().bounds(now).upper;
-        for (const foreseen& f : found) {
-            if (f.lower <= latest && (is_due(f.a, from) || is_due(f.b, from)) && is_at(scene, f, now)) {
+        for (const predicted& f : found) {
+            if (f.lower <= latest && (has_event(f.a, from) || has_event(f.b, from)) && is_at(scene, f, now)) {
                 mark(f.a, from, events);
                 mark(f.b, from, events);
             }
@@ -50,19 +50,19 @@ class due_balls {
   private:
     using entry = std::pair<body, std::size_t>; // a ball, an event
 
-    [[nodiscard]] bool is_due(body a, std::size_t from) const noexcept {
+    [[nodiscard]] bool has_event(body a, std::size_t from) const noexcept {
         const auto e = std::lower_bound(entries_.begin(), entries_.end(), entry(a, from));
         return e != entries_.end() && e->first == a;
     }
     template <class Time>
-    void mark(body a, std::size_t from, std::vector<due<Time>>& events) const noexcept {
+    void mark(body a, std::size_t from, std::vector<timed_event<Time>>& events) const noexcept {
         const auto first = std::lower_bound(entries_.begin(), entries_.end(), entry(a, from));
         for (auto e = first; e != entries_.end() && e->first == a; ++e) {
             events[e->second].chosen = true;
         }
     }
     template <mechanics M>
-    [[nodiscard]] static bool is_at(const moving_scene<M>& scene, const foreseen& f, const typename M::time& now) {
+    [[nodiscard]] static bool is_at(const moving_scene<M>& scene, const predicted& f, const typename M::time& now) {
         try {
             return scene.rules().order(*scene.meet(f.a, f.b, f.image), now) == 0;
         } catch (graze::undecided& e) {

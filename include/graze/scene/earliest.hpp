@@ -13,23 +13,23 @@ namespace graze::inline v0_1::detail {
 
 // An event that is next, with its exact time. chosen: it shares a ball with another event of exactly that time.
 template <class Time>
-struct due {
-    foreseen what;
+struct timed_event {
+    predicted what;
     Time when;
     bool chosen = false;
 };
 
-[[nodiscard]] constexpr bool is_of_same_bodies(const foreseen& x, const foreseen& y) noexcept {
+[[nodiscard]] constexpr bool is_of_same_bodies(const predicted& x, const predicted& y) noexcept {
     return x.a == y.a && x.b == y.b && x.image == y.image;
 }
 
 // Sorts the candidates by bodies, which is the canonical order, and drops duplicates.
 template <class Time>
-void put_in_order(std::vector<due<Time>>& nearest) {
+void put_in_order(std::vector<timed_event<Time>>& nearest) {
     if (nearest.size() < 2) {
         return;
     }
-    using event = due<Time>;
+    using event = timed_event<Time>;
     std::sort(nearest.begin(), nearest.end(), [](const event& x, const event& y) {
         return std::tie(x.what.a, x.what.b, x.what.image) < std::tie(y.what.a, y.what.b, y.what.image);
     });
@@ -39,7 +39,7 @@ void put_in_order(std::vector<due<Time>>& nearest) {
 
 // Whether the two events share a ball. A shared mirror does not count: nothing changes it.
 template <mechanics M>
-[[nodiscard]] bool share_a_ball(const moving_scene<M>& scene, const foreseen& x, const foreseen& y) noexcept {
+[[nodiscard]] bool share_a_ball(const moving_scene<M>& scene, const predicted& x, const predicted& y) noexcept {
     const auto is_shared = [&](body a) { return a < scene.balls() && !scene[a].immovable && (a == y.a || a == y.b); };
     return is_shared(x.a) || is_shared(x.b);
 }
@@ -48,14 +48,14 @@ template <mechanics M>
 // that are certainly simultaneous with it. An event that may be earlier but shares no ball with it can be done later.
 // Throws M's undecided where the order matters, or where it is open whether two meet.
 template <mechanics M>
-void select_earliest_known(const moving_scene<M>& scene, const std::vector<due<typename M::time>>& nearest,
-                           std::vector<due<typename M::time>>& earliest) {
+void select_earliest_known(const moving_scene<M>& scene, const std::vector<timed_event<typename M::time>>& nearest,
+                           std::vector<timed_event<typename M::time>>& earliest) {
     const auto is_open = [&](std::size_t i) { return std::isinf(scene.rules().bounds(nearest[i].when).upper); };
     const auto order = [&](std::size_t i, std::size_t j, bool matters) -> std::optional<int> {
         try {
             return i == j ? 0 : scene.rules().order(nearest[i].when, nearest[j].when);
         } catch (graze::undecided& e) {
-            const foreseen &x = nearest[i].what, &y = nearest[j].what;
+            const predicted &x = nearest[i].what, &y = nearest[j].what;
             for (const std::size_t k : {i, j}) {
                 if (matters && is_open(k)) {
                     graze::undecided unsettled("whether they meet", scene.rules().bounds(nearest[k].when).lower);
@@ -86,8 +86,8 @@ void select_earliest_known(const moving_scene<M>& scene, const std::vector<due<t
         }
     }
     if (!certain) { // what else is of its time may share a ball with what waits, and waits too
-        const foreseen& one = nearest[first].what;
-        std::erase_if(earliest, [&](const due<typename M::time>& d) {
+        const predicted& one = nearest[first].what;
+        std::erase_if(earliest, [&](const timed_event<typename M::time>& d) {
             return !is_of_same_bodies(d.what, one) && !share_a_ball(scene, d.what, one);
         });
     }
@@ -95,8 +95,8 @@ void select_earliest_known(const moving_scene<M>& scene, const std::vector<due<t
 
 // Those of them that are the earliest, in the same order. Allocates only where there are more than ever before.
 template <mechanics M>
-void select_earliest(const moving_scene<M>& scene, const std::vector<due<typename M::time>>& nearest,
-                     std::vector<due<typename M::time>>& earliest) {
+void select_earliest(const moving_scene<M>& scene, const std::vector<timed_event<typename M::time>>& nearest,
+                     std::vector<timed_event<typename M::time>>& earliest) {
     earliest.clear();
     try {
         for (const auto& d : nearest) {
@@ -115,7 +115,7 @@ void select_earliest(const moving_scene<M>& scene, const std::vector<due<typenam
 
 // Of the planes and walls that a point is due to meet at one time, puts that first which it meets first.
 template <mechanics M>
-void put_first_standing_first(const moving_scene<M>& scene, std::vector<due<typename M::time>>& events) {
+void put_first_standing_first(const moving_scene<M>& scene, std::vector<timed_event<typename M::time>>& events) {
     const auto is_standing = [&](const auto& d) { return d.what.b >= scene.balls(); };
     for (auto first = events.begin(); first != events.end();) {
         const auto of_same = [&](const auto& d) { return d.what.a == first->what.a; };

@@ -3,8 +3,8 @@
 
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/first_search.hpp>
-#include <graze/scene/meeting.hpp>
 #include <graze/scene/numbered_scene.hpp>
+#include <graze/scene/scene_pair.hpp>
 #include <graze/time/bounds_until.hpp>
 #include <graze/time/time_of_shapes.hpp>
 #include <graze/time/time_of_walls.hpp>
@@ -18,9 +18,9 @@ namespace graze::inline v0_1 {
 // Who meets at that time, in an order that depends on the scene's numbers alone, and of two balls the one first that
 // comes first by its numbers; empty, as the time is, if nothing ever meets.
 template <int N, class T = double>
-struct first_meetings {
+struct earliest_events {
     std::optional<impact_time<N, T>> time;
-    std::vector<meeting> events;
+    std::vector<scene_pair> events;
 };
 
 // All that happens at exactly the earliest time, or only the first of it in that order.
@@ -29,11 +29,11 @@ enum class simultaneous { all, first };
 namespace detail {
 
 template <int N, class T>
-class earliest_meetings {
+class earliest_finder {
   public:
-    explicit earliest_meetings(simultaneous wanted) : wanted_(wanted) {}
+    explicit earliest_finder(simultaneous wanted) : wanted_(wanted) {}
 
-    void meet(const std::optional<impact_time<N, T>>& time, const meeting& who) {
+    void meet(const std::optional<impact_time<N, T>>& time, const scene_pair& who) {
         if (!time) {
             return;
         }
@@ -46,10 +46,10 @@ class earliest_meetings {
             found_.events.push_back(who);
         }
     }
-    [[nodiscard]] first_meetings<N, T> take() { return std::move(found_); }
+    [[nodiscard]] earliest_events<N, T> take() { return std::move(found_); }
 
   private:
-    first_meetings<N, T> found_;
+    earliest_events<N, T> found_;
     simultaneous wanted_;
 };
 
@@ -68,7 +68,7 @@ template <int N, class T, class S>
 template <int N, class T>
 [[nodiscard]] enclosure bounds_of(const numbered_scene<N, T>& numbered, body a, body b, double latest) {
     enclosure found{enclosure::unknown, 0};
-    numbered.with(a, b, [&](const ball<N, T>& x, const auto& y, const meeting&, unsigned inner) {
+    numbered.with(a, b, [&](const ball<N, T>& x, const auto& y, const scene_pair&, unsigned inner) {
         if constexpr (std::is_same_v<decltype(y), const ball<N, T>&>) {
             found = bounds_until(flight<N, T>{x, T(0)}, flight<N, T>{y, T(0)}, latest);
         } else if (const auto t = time_outside(x, y, inner)) {
@@ -86,17 +86,17 @@ template <int N, class T>
 // as check does, for a scene that has a period, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
 template <int N, std::floating_point T>
 requires is_binary_input<T>
-[[nodiscard]] first_meetings<N, T> first_events(const scene<N, T>& s, simultaneous wanted = simultaneous::all) {
+[[nodiscard]] earliest_events<N, T> first_events(const scene<N, T>& s, simultaneous wanted = simultaneous::all) {
     check(s);
     detail::refuse_period(s, "first_events");
-    detail::earliest_meetings<N, T> earliest(wanted);
+    detail::earliest_finder<N, T> earliest(wanted);
     const detail::numbered_scene<N, T> parts(s, detail::numbering::canonical);
     const auto bounds = [&](detail::body a, detail::body b, double latest) {
         return detail::bounds_of(parts, a, b, latest);
     };
     for (const auto& [a, b] : detail::may_be_first<N>(
              parts.flights(), detail::standing_cells<N>(parts.extents(), parts.balls()), parts.bodies(), bounds)) {
-        parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const meeting& who, unsigned inner) {
+        parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const scene_pair& who, unsigned inner) {
             earliest.meet(detail::time_outside(x, y, inner), who);
         });
     }

@@ -37,10 +37,10 @@ class forecast : public lookout<M> {
     }
 
     // Predicts the next event of ball a, whose flight has changed at a time not before `now`.
-    void foresee(body a, double now) { pending_.push_back({a, look(a, now, true)}); }
-    // Marks those of the events due at the time `now`, from one on, that share a ball with what has been foreseen, if
+    void predict(body a, double now) { pending_.push_back({a, look(a, now, true)}); }
+    // Marks those of the events at the time `now`, from one on, that share a ball with what has been predicted, if
     // it is of just that time.
-    void mark_choices(const time& now, std::vector<due<time>>& events, std::size_t from) {
+    void mark_choices(const time& now, std::vector<timed_event<time>>& events, std::size_t from) {
         if (from >= events.size()) {
             return;
         }
@@ -49,7 +49,7 @@ class forecast : public lookout<M> {
         for (const auto& p : pending_) {
             gather(p.first, latest, true);
         }
-        due_balls_.compare(scene_, found_, now, events, from);
+        balls_of_events_.compare(scene_, found_, now, events, from);
     }
     void forget() noexcept { pending_.clear(); }
     void accept() noexcept {
@@ -62,7 +62,7 @@ class forecast : public lookout<M> {
 
     // Fills events with all of exactly the earliest time, in canonical order. Without any, says why: there will never
     // be one, or, in a scene that has a period, none up to `until` or for long.
-    ending take_earliest(std::vector<due<time>>& events, double until) {
+    ending take_earliest(std::vector<timed_event<time>>& events, double until) {
         events.clear();
         nearest_.clear();
         taken_.clear();
@@ -94,7 +94,7 @@ class forecast : public lookout<M> {
             }
             put_in_order(nearest_);
             select_earliest(scene_, nearest_, events);
-            due_balls_.note(scene_, events);
+            balls_of_events_.note(scene_, events);
             put_first_standing_first(scene_, events);
         } catch (...) {
             events.clear();
@@ -178,7 +178,7 @@ class forecast : public lookout<M> {
         } else {
             find(a, p.b, p.image, p.lower);
         }
-        for (const foreseen& f : found_) {
+        for (const predicted& f : found_) {
             nearest_.push_back({f, *scene_.meet(f.a, f.b, f.image)});
             limit = std::min(limit, scene_.rules().bounds(nearest_.back().when).upper);
         }
@@ -192,10 +192,10 @@ class forecast : public lookout<M> {
     event_calendar calendar_;
     std::vector<plan> plans_;
     std::vector<std::pair<body, plan>> pending_; // members, so that an event allocates nothing
-    std::vector<foreseen> found_;
-    std::vector<due<time>> nearest_;
+    std::vector<predicted> found_;
+    std::vector<timed_event<time>> nearest_;
     std::vector<body> taken_;
-    due_balls due_balls_;
+    balls_of_events balls_of_events_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -23,7 +23,7 @@ class grazed_balls {
     void clear() noexcept { balls_.clear(); }
 
     // Whether it still happens: each ball that has had an event since this was predicted has only grazed.
-    [[nodiscard]] bool leave(const moving_scene<M>& scene, const foreseen& f) const noexcept {
+    [[nodiscard]] bool leave(const moving_scene<M>& scene, const predicted& f) const noexcept {
         return is_left(scene, f.a, f.count_a) && is_left(scene, f.b, f.count_b);
     }
     // Gives ball a the flight for which it was predicted with that count.

@@ -4,8 +4,8 @@
 
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/number/traits.hpp>
-#include <graze/scene/meeting.hpp>
 #include <graze/scene/period.hpp>
+#include <graze/scene/scene_pair.hpp>
 #include <graze/shape/flight.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/triangle.hpp>
@@ -37,19 +37,19 @@ class undecided : public std::runtime_error {
     // About when.
     [[nodiscard]] double about() const noexcept { return about_; }
     // The meeting that was looked at; of two whose order was asked, the first and the second.
-    [[nodiscard]] const std::optional<meeting>& first() const noexcept { return first_; }
-    [[nodiscard]] const std::optional<meeting>& second() const noexcept { return second_; }
+    [[nodiscard]] const std::optional<scene_pair>& first() const noexcept { return first_; }
+    [[nodiscard]] const std::optional<scene_pair>& second() const noexcept { return second_; }
 
-    void between(const meeting& x) noexcept { first_ = x; }
-    void between(const meeting& x, const meeting& y) noexcept {
+    void between(const scene_pair& x) noexcept { first_ = x; }
+    void between(const scene_pair& x, const scene_pair& y) noexcept {
         first_ = x;
         second_ = y;
     }
 
   private:
     double about_;
-    std::optional<meeting> first_;
-    std::optional<meeting> second_;
+    std::optional<scene_pair> first_;
+    std::optional<scene_pair> second_;
 };
 
 // The questions about a ball and something that stands, a plane, a wall or a triangle (S).

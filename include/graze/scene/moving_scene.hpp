@@ -65,11 +65,11 @@ class moving_scene {
     [[nodiscard]] int name(body a) const noexcept { return balls_.names[a]; }
 
     // By the scene's own indices; of two balls the one first that comes first by its numbers.
-    [[nodiscard]] meeting named(body a, body b) const noexcept {
-        return b < balls() ? meeting{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
+    [[nodiscard]] scene_pair named(body a, body b) const noexcept {
+        return b < balls() ? scene_pair{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
-    [[nodiscard]] bool is_stale(const foreseen& f) const noexcept {
+    [[nodiscard]] bool is_stale(const predicted& f) const noexcept {
         return counts_[f.a] != f.count_a || (f.b < balls() && counts_[f.b] != f.count_b);
     }
 
@@ -138,7 +138,7 @@ class moving_scene {
         if (b < balls()) {
             return {partner::ball, name(b)};
         }
-        const meeting m = standing_.named(0, b);
+        const scene_pair m = standing_.named(0, b);
         return {m.with, m.b};
     }
 

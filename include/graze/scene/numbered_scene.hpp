@@ -4,8 +4,8 @@
 #include <graze/scene/body.hpp>
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/inner_edges.hpp>
-#include <graze/scene/meeting.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_pair.hpp>
 #include <graze/scene/standing_extent.hpp>
 #include <graze/shape/flight.hpp>
 
@@ -39,8 +39,8 @@ class numbered_scene {
     template <class F>
     void with(body a, body b, F f) const {
         const ball<N, T>& x = scene_.balls[index(balls_, a)];
-        const auto who = [&](partner kind, std::size_t i) { return meeting{kind, balls_[a], static_cast<int>(i)}; };
-        const auto with_flat = [&](const auto& w, const meeting& m, unsigned inner) {
+        const auto who = [&](partner kind, std::size_t i) { return scene_pair{kind, balls_[a], static_cast<int>(i)}; };
+        const auto with_flat = [&](const auto& w, const scene_pair& m, unsigned inner) {
             try {
                 f(x, w, m, inner);
             } catch (const std::domain_error& e) { // parallel edges

@@ -70,7 +70,7 @@ struct outcome {
 // References are valid until the observer returns.
 template <mechanics M>
 struct run_event {
-    meeting who;
+    scene_pair who;
     const typename M::time& when;
     const typename M::state& before_a;
     const typename M::state& after_a;

@@ -5,8 +5,8 @@
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/close_pairs.hpp>
-#include <graze/scene/meeting.hpp>
 #include <graze/scene/numbered_scene.hpp>
+#include <graze/scene/scene_pair.hpp>
 #include <graze/scene/standing_cells.hpp>
 
 #include <algorithm>
@@ -20,13 +20,13 @@ namespace graze::inline v0_1 {
 // for a scene that has a period, and for parallel edges.
 template <int N, class T>
 requires is_binary_input<T> || exact_number<T>
-[[nodiscard]] std::vector<meeting> overlapping(const scene<N, T>& s) {
+[[nodiscard]] std::vector<scene_pair> overlapping(const scene<N, T>& s) {
     check(s);
     detail::refuse_period(s, "overlapping");
-    std::vector<meeting> found;
+    std::vector<scene_pair> found;
     const detail::numbered_scene<N, T> parts(s, detail::numbering::listed);
     const auto look = [&](detail::body a, detail::body b) {
-        parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const meeting& who, unsigned) {
+        parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const scene_pair& who, unsigned) {
             if (overlaps(x, y)) {
                 found.push_back(who);
             }

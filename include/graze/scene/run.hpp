@@ -60,13 +60,13 @@ class run {
         const std::uint64_t patience =
             limits.cascade != 0 ? limits.cascade : 1000 + 100 * std::uint64_t{scene().balls()};
         while (done.events < limits.events) {
-            if (next_ == due_.size()) {
+            if (next_ == simultaneous_.size()) {
                 if (const ending found = take_earliest(until); found != ending::events) {
                     done.why = found;
                     return done;
                 }
             }
-            const detail::due<time>& d = due_[next_];
+            const detail::timed_event<time>& d = simultaneous_[next_];
             if (!grazed_.leave(scene(), d.what)) { // an event of the same time has changed one of the two
                 ++next_;
                 continue;
@@ -94,7 +94,7 @@ class run {
             }
             const bool goes_on = perform(observer);
             ++done.events;
-            done.choices += due_[next_ - 1].chosen ? 1 : 0;
+            done.choices += simultaneous_[next_ - 1].chosen ? 1 : 0;
             if (!goes_on) {
                 done.why = ending::stopped;
                 return done;
@@ -133,7 +133,7 @@ class run {
             }
             changed.forecast_.scene().restate(a, std::move(other));
         }
-        changed.due_.clear();
+        changed.simultaneous_.clear();
         changed.grazed_.clear();
         changed.next_ = 0;
         changed.still_ = 0;
@@ -147,7 +147,7 @@ class run {
 
     [[nodiscard]] const detail::moving_scene<M>& scene() const noexcept { return forecast_.scene(); }
 
-    [[nodiscard]] bool is_after(const detail::due<time>& d, const number& end) const {
+    [[nodiscard]] bool is_after(const detail::timed_event<time>& d, const number& end) const {
         try {
             return scene().rules().order(d.when, end) > 0;
         } catch (graze::undecided& e) {
@@ -181,12 +181,12 @@ class run {
     ending take_earliest(double until) {
         next_ = 0;
         grazed_.clear();
-        return forecast_.take_earliest(due_, until);
+        return forecast_.take_earliest(simultaneous_, until);
     }
-    // Does the event due_[next_].
+    // Does the event simultaneous_[next_].
     template <class Observer>
     bool perform(Observer& observer) {
-        const detail::due<time>& d = due_[next_];
+        const detail::timed_event<time>& d = simultaneous_[next_];
         const body a = d.what.a;
         const body b = d.what.b;
         const bool two = b < scene().balls();
@@ -203,12 +203,12 @@ class run {
             forecast_.forget();
             const double now = scene().rules().bounds(d.when).lower;
             if (!two || !changing[a].immovable) {
-                forecast_.foresee(a, now);
+                forecast_.predict(a, now);
             }
             if (two && !changing[b].immovable) {
-                forecast_.foresee(b, now);
+                forecast_.predict(b, now);
             }
-            forecast_.mark_choices(d.when, due_, next_ + 1);
+            forecast_.mark_choices(d.when, simultaneous_, next_ + 1);
             grazed_.note(changing, a, before_a);
             if (two) {
                 grazed_.note(changing, b, before_b);
@@ -241,10 +241,10 @@ class run {
     detail::forecast<M> forecast_;
     std::vector<body> place_; // of a ball, by the scene's index
     detail::jam_watch jams_;
-    std::vector<detail::due<time>> due_; // events of one time
-    std::size_t next_ = 0;               // of due_
-    detail::grazed_balls<M> grazed_;     // at that time
-    double now_ = 0;                     // not after any event to come
+    std::vector<detail::timed_event<time>> simultaneous_; // events of one time
+    std::size_t next_ = 0;                                // of simultaneous_
+    detail::grazed_balls<M> grazed_;                      // at that time
+    double now_ = 0;                                      // not after any event to come
     double still_until_ = std::numeric_limits<double>::lowest();
     std::uint64_t still_ = 0; // events since time last went on for certain
 };

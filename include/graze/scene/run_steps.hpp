@@ -53,7 +53,7 @@ template <mechanics M>
 
 // Throws std::domain_error for two mirrors that are due to meet.
 template <mechanics M>
-[[noreturn]] void refuse_mirrors(const moving_scene<M>& scene, const due<typename M::time>& d) {
+[[noreturn]] void refuse_mirrors(const moving_scene<M>& scene, const timed_event<typename M::time>& d) {
     std::ostringstream message;
     message << to_string(scene.named(d.what.a, d.what.b))
             << ": both masses are infinite, and they meet at about t = " << scene.rules().bounds(d.when).lower;
@@ -88,7 +88,7 @@ void stop_jam(forecast<M>& ahead, const jammed_bodies& jam, double now) {
     ahead.forget();
     for (const body b : jam) {
         if (is_ball(b) && !scene[b].immovable) {
-            ahead.foresee(b, now);
+            ahead.predict(b, now);
         }
     }
     ahead.accept();

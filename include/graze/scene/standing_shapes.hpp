@@ -8,8 +8,8 @@
 #include <graze/scene/images.hpp>
 #include <graze/scene/inner_edges.hpp>
 #include <graze/scene/mechanics.hpp>
-#include <graze/scene/meeting.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_pair.hpp>
 #include <graze/scene/standing_extent.hpp>
 
 #include <algorithm>
@@ -71,14 +71,14 @@ class standing_shapes {
         return i < planes_.size() ? f(planes_[i]) : f(walls_[i - planes_.size()]);
     }
     // A ball of that name and b, by the scene's own indices.
-    [[nodiscard]] meeting named(int ball, body b) const noexcept {
+    [[nodiscard]] scene_pair named(int ball, body b) const noexcept {
         std::size_t i = b - first_;
         if (i < planes_.size()) {
             return {partner::plane, ball, plane_names_[i]};
         }
         i -= planes_.size();
-        return i < walls_.size() ? meeting{partner::wall, ball, wall_names_[i]}
-                                 : meeting{partner::triangle, ball, triangle_names_[i - walls_.size()]};
+        return i < walls_.size() ? scene_pair{partner::wall, ball, wall_names_[i]}
+                                 : scene_pair{partner::triangle, ball, triangle_names_[i - walls_.size()]};
     }
     [[nodiscard]] bool is_plane(body b) const noexcept { return b - first_ < planes_.size(); }
     // When x meets b, or its image; not at an inner edge.

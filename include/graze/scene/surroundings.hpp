@@ -51,7 +51,7 @@ class surroundings {
     [[nodiscard]] std::span<const body> everywhere() const noexcept { return everywhere_; }
     [[nodiscard]] std::span<const body> of(body a) const noexcept { return lists_.of(a); }
     // In a periodic space: of the i-th on a's list, or of those for its next shell, the image that may be near, counted
-    // as `foreseen` does if each ball has gone back by `periods` of it.
+    // as `predicted` does if each ball has gone back by `periods` of it.
     [[nodiscard]] image_index image(body a, std::size_t i) const noexcept {
         const body b = lists_.of(a)[i];
         return decoded(lists_.images_of(a)[i]) + shells_[a].place -

@@ -113,7 +113,7 @@ template <int N, class T, class Shape>
             return {};
         }
         const event<N, T> e(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), number_in_wall<Shape>(found), false);
-        const flat_time t = fast_flat_time(e, time);
+        const flat_time t = flat_time_in_doubles(e, time);
         const double error = absolute(t.low) + t.error + 0x1p-49 * t.high;
         return t.good && error < 0x1p-20 * t.high ? enclosure{t.high, error} : enclosure{};
     }
@@ -121,14 +121,14 @@ template <int N, class T, class Shape>
 }
 
 // The encounter of a pair, and an enclosure of its time, which is unknown unless doubles are certain of a hit.
-struct flat_meeting {
+struct flat_collision {
     flat_answer found;
     enclosure bounds;
 };
 
 // by: the stage that decided.
 template <int N, class T, class Shape>
-[[nodiscard]] constexpr flat_meeting meet_flat(const ball<N, T>& b, const Shape& w, stage& by) {
+[[nodiscard]] constexpr flat_collision meet_flat(const ball<N, T>& b, const Shape& w, stage& by) {
     by = stage::filter;
     if (!std::is_constant_evaluated()) {
         const filtered_flat<N, T> f(b, w);
@@ -153,8 +153,8 @@ template <int N, class T, class Shape>
     return {decide_flat<flat_question::feature>(b, w, by), {}};
 }
 template <int N, class T>
-[[nodiscard, gnu::always_inline]] constexpr inline flat_meeting meet_flat(const ball<N, T>& b, const plane<N, T>& p,
-                                                                          stage& by) {
+[[nodiscard, gnu::always_inline]] constexpr inline flat_collision meet_flat(const ball<N, T>& b, const plane<N, T>& p,
+                                                                            stage& by) {
     by = stage::filter;
     if (!std::is_constant_evaluated()) {
         const filtered_plane<N, T> f(b, p);

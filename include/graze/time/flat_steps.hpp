@@ -9,7 +9,7 @@
 #include <graze/linear/vec.hpp>
 #include <graze/machine/error_free.hpp>
 #include <graze/machine/lanes.hpp>
-#include <graze/time/rounding_test.hpp>
+#include <graze/time/certain_rounding.hpp>
 
 #include <array>
 
@@ -35,7 +35,7 @@ template <int N, class F>
     return r;
 }
 template <int N>
-[[nodiscard, gnu::always_inline]] inline parts_vector<N> exact_parts(const vec<N, double>& x) noexcept {
+[[nodiscard, gnu::always_inline]] inline parts_vector<N> exact_components(const vec<N, double>& x) noexcept {
     return make_parts<N>([&](int i, double& size) {
         size += absolute(x[i]);
         return exact_pair<double>{x[i], 0};
@@ -158,7 +158,7 @@ template <bool Fused, int N>
                                                                   double t) noexcept {
     face_touch<N> f{n, {}, {}, {}};
     f.length = root_in_parts<Fused>(dot_in_parts<Fused, N>(n, n), n.size);
-    const auto velocity = exact_parts<N>(u);
+    const auto velocity = exact_components<N>(u);
     f.speed = dot_in_parts<Fused, N>(velocity, n);
     const auto y = moved<Fused, N>(from, u, t);
     const auto height = dot_in_parts<Fused, N>(y, n);

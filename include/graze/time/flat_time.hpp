@@ -50,12 +50,12 @@ template <bool Fused, int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> normal_in_parts(event_kind kind,
                                                                          const flat_row<N>& f) noexcept {
     if (kind == event_kind::plane) {
-        return exact_parts<N>(f.edge[0]);
+        return exact_components<N>(f.edge[0]);
     }
     if constexpr (N == 2) {
-        return exact_parts<2>({{-f.edge[0][1], f.edge[0][0]}});
+        return exact_components<2>({{-f.edge[0][1], f.edge[0][0]}});
     } else {
-        return cross_in_parts<Fused>(exact_parts<3>(f.edge[0]), exact_parts<3>(f.edge[1]));
+        return cross_in_parts<Fused>(exact_components<3>(f.edge[0]), exact_components<3>(f.edge[1]));
     }
 }
 
@@ -63,7 +63,7 @@ template <bool Fused, int N>
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> edge_in_parts(const flat_row<N>& f, int number) noexcept {
     return number == slanted_edge ? difference_in_parts<N>(f.edge[1], f.edge[0])
-                                  : exact_parts<N>(number >= 2 ? f.edge[0] : f.edge[1]);
+                                  : exact_components<N>(number >= 2 ? f.edge[0] : f.edge[1]);
 }
 
 // The centre from corner i of the wall.
@@ -114,7 +114,7 @@ struct flat_time_near {
 
 // That, for the machine at hand.
 template <int N, class T>
-[[nodiscard]] flat_time fast_flat_time(const event<N, T>& e, double time) noexcept {
+[[nodiscard]] flat_time flat_time_in_doubles(const event<N, T>& e, double time) noexcept {
     return with_best_products(flat_time_near<N, T>{&e, time});
 }
 

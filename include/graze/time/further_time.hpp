@@ -179,7 +179,7 @@ template <class T>
     if (mode == rounding::nearest) {
         return rounded_quickly<T>(t.time, t.unit);
     }
-    return t.unit == 0 && std::is_same_v<T, double> ? rounded_without_doubt<T>(t.time, mode)
+    return t.unit == 0 && std::is_same_v<T, double> ? certainly_rounded<T>(t.time, mode)
                                                     : rounded_scaled<T>(t.time, t.unit, mode);
 }
 

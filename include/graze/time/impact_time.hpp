@@ -5,7 +5,7 @@
 #include <graze/time/compare_with_number.hpp>
 #include <graze/time/enclosure.hpp>
 #include <graze/time/exact_event.hpp>
-#include <graze/time/rounded_time.hpp>
+#include <graze/time/round_time.hpp>
 
 #include <compare>
 #include <type_traits>

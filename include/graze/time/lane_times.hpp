@@ -6,7 +6,7 @@
 #include <graze/machine/pack_transforms.hpp>
 #include <graze/pair/lane_shapes.hpp>
 #include <graze/predicate/lane_balls.hpp>
-#include <graze/time/fast_approach.hpp>
+#include <graze/time/newton_approach.hpp>
 
 #include <array>
 #include <cstddef>
@@ -50,7 +50,7 @@ struct certain_lanes {
     unsigned certain;
 };
 
-// x rounded to double; as rounded_without_doubt does.
+// x rounded to double; as certainly_rounded does.
 template <class V>
 [[nodiscard, gnu::always_inline]] inline certain_lanes<V> rounded_lanes(const bounded<V>& x, rounding mode) noexcept {
     using mask = typename V::mask;

@@ -1,11 +1,11 @@
 // Two movers side by side in lanes, and when they meet near a time in doubles.
 //
-// u = 2^-53; notation and counting of roundings as in time/fast_approach.hpp.
+// u = 2^-53; notation and counting of roundings as in time/newton_approach.hpp.
 #pragma once
 
 #include <graze/machine/fused.hpp>
 #include <graze/pair/moving.hpp>
-#include <graze/time/fast_approach.hpp>
+#include <graze/time/newton_approach.hpp>
 
 namespace graze::inline v0_1::detail {
 

@@ -6,7 +6,7 @@
 #include <graze/exact/round_leading.hpp>
 #include <graze/filter/static_filter.hpp>
 #include <graze/machine/fence.hpp>
-#include <graze/time/rounding_test.hpp>
+#include <graze/time/certain_rounding.hpp>
 
 #include <cmath>
 #include <optional>

@@ -43,8 +43,8 @@ template <int N, class T>
 }
 
 template <int N, class T>
-[[nodiscard, gnu::always_inline]] constexpr inline auto rounded_motion(const ball<N, T>& a,
-                                                                       const ball<N, T>& b) noexcept {
+[[nodiscard, gnu::always_inline]] constexpr inline auto computed_motion(const ball<N, T>& a,
+                                                                        const ball<N, T>& b) noexcept {
     using D = difference_type<T>;
     const auto m = relative_motion_of(ball<N, D>{wide(a.position), wide(a.velocity), wide(a.radius)},
                                       ball<N, D>{wide(b.position), wide(b.velocity), wide(b.radius)});
@@ -52,7 +52,7 @@ template <int N, class T>
 }
 
 template <int N, class T>
-[[nodiscard]] constexpr auto rounded_motion(const ball<N, T>& b, const plane<N, T>& p) noexcept {
+[[nodiscard]] constexpr auto computed_motion(const ball<N, T>& b, const plane<N, T>& p) noexcept {
     return plane_motion{rounded(wide(b.position) - wide(p.point)), rounded(wide(b.velocity)), rounded(wide(p.normal)),
                         to_double(wide(b.radius))};
 }

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <graze/formula/contact.hpp>
-#include <graze/time/rounded_time.hpp>
+#include <graze/time/round_time.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -51,13 +51,13 @@ template <class T, class Z, class A, class H, class D>
 
 // Two centres that approach until their distance is m.R.
 template <class T, class M>
-class exact_approach {
-    using Z = surd_integer_for<M>;
+class exact_contact {
+    using Z = root_sum_integer_for<M>;
     using quadratic_type = decltype(quadratic_of(std::declval<M>()));
     using path_type = exact_path<T, Z, decltype(quadratic_type::a), decltype(quadratic_type::h)>;
 
   public:
-    constexpr exact_approach(const M& m, scales units)
+    constexpr exact_contact(const M& m, scales units)
         : m_(m), quadratic_(quadratic_of(m)), discriminant_(discriminant_halved{}(quadratic_)),
           path(path_until<T, Z>(quadratic_.a, quadratic_.h, discriminant_, units)) {}
 
@@ -98,7 +98,7 @@ class exact_approach {
 // Two centres inside each other and getting deeper: along the line between them, now.
 template <class T, class M>
 class exact_overlap {
-    using Z = surd_integer_for<M>;
+    using Z = root_sum_integer_for<M>;
 
   public:
     constexpr exact_overlap(const M& m, scales units) : m_(m), units_(units) {}

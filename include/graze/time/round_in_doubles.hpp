@@ -3,8 +3,8 @@
 
 #include <graze/exact/rounding.hpp>
 #include <graze/machine/fused.hpp>
-#include <graze/time/bounded_time.hpp>
 #include <graze/time/flat_time.hpp>
+#include <graze/time/hit_time.hpp>
 #include <graze/time/mover_approach.hpp>
 
 #include <optional>
@@ -30,14 +30,14 @@ struct time_of_row {
 
 // The time of a hit on a plane or a wall that is near `time` from its start. Not inlined, so that the time of balls is.
 template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] std::optional<T> round_fast_hit(const event<N, U>& e, double time,
-                                                             rounding mode) noexcept {
+[[nodiscard, gnu::noinline]] std::optional<T> round_hit_in_doubles(const event<N, U>& e, double time,
+                                                                   rounding mode) noexcept {
     const auto start = static_cast<double>(e.start());
     const auto rounded = [&](const bounded<double>& x) {
-        return rounded_without_doubt<T>(e.timed ? on_clock(start, x) : x, mode);
+        return certainly_rounded<T>(e.timed ? on_clock(start, x) : x, mode);
     };
     if (time > 0) {
-        if (const flat_time near = fast_flat_time(e, time); near.good) [[likely]] {
+        if (const flat_time near = flat_time_in_doubles(e, time); near.good) [[likely]] {
             if (const auto answer = rounded(near.bounds())) [[likely]] {
                 return answer;
             }
@@ -53,17 +53,18 @@ inline constexpr bool is_rounded_by_doubles = has_error_free_doubles && !std::is
 
 // time: near that of the event, which is not an overlap.
 template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] std::optional<T> round_fast(const event<N, U>& e, double time, rounding mode) noexcept {
+[[nodiscard, gnu::noinline]] std::optional<T> round_in_doubles(const event<N, U>& e, double time,
+                                                               rounding mode) noexcept {
     if constexpr (is_rounded_by_doubles<U>) {
         if (!rounds_to_nearest()) {
             return std::nullopt;
         }
         if (e.kind != event_kind::balls) {
-            return round_fast_hit<T>(e, e.timed ? time - static_cast<double>(e.start()) : time, mode);
+            return round_hit_in_doubles<T>(e, e.timed ? time - static_cast<double>(e.start()) : time, mode);
         }
         if (!e.timed) {
             if (const auto found = with_best_products(time_of_row<N, U>{e.row.data(), time}); found.good) {
-                return rounded_without_doubt<T>(found.time, mode);
+                return certainly_rounded<T>(found.time, mode);
             }
         }
     }

@@ -63,7 +63,7 @@ template <class T>
 // A positive number rounded to nearest, downward or upward; empty where its bounds leave a doubt, which for directed
 // modes they always do of floats.
 template <class T>
-[[nodiscard]] inline std::optional<T> rounded_without_doubt(const bounded<double>& x, rounding mode) noexcept {
+[[nodiscard]] inline std::optional<T> certainly_rounded(const bounded<double>& x, rounding mode) noexcept {
     if (mode == rounding::nearest) {
         const ends<double> interval = ends_of<T>(x);
         return agree<T>(interval) ? std::optional<T>(static_cast<T>(interval.upper)) : std::nullopt;

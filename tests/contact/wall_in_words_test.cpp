@@ -10,7 +10,7 @@
 
 namespace {
 
-using graze::detail::parts;
+using graze::detail::component_set;
 
 struct seen {
     int contacts = 0, certain = 0, wrong = 0; // certain: of all components
@@ -40,16 +40,16 @@ void look(P pair, seen& s, const graze::wall_encounter& found, const graze::ball
         fast.position = graze::detail::with_plain_zeros(b.position);
     }
     graze::wall_contact<N, T> exact = fast;
-    const parts open_parts = graze::detail::contact_by_words(pair, fast, found.what, found.index, b, shape, near,
-                                                             graze::detail::own_clock{});
-    graze::detail::complete(pair, exact, graze::detail::all_parts, found.what, found.index, b, shape);
+    const component_set open_components = graze::detail::contact_by_words(pair, fast, found.what, found.index, b, shape,
+                                                                          near, graze::detail::own_clock{});
+    graze::detail::complete(pair, exact, graze::detail::all_components, found.what, found.index, b, shape);
     const auto x = listed(fast), y = listed(exact);
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const bool is_open = (open_parts >> i & 1U) != 0;
+        const bool is_open = (open_components >> i & 1U) != 0;
         s.wrong += is_open || graze::detail::bits_of(x[i]) == graze::detail::bits_of(y[i]) ? 0 : 1;
     }
     ++s.contacts;
-    s.certain += open_parts == 0 ? 1 : 0;
+    s.certain += open_components == 0 ? 1 : 0;
 }
 
 // With the first step from the time in doubles, where that is known, and without.

@@ -5,8 +5,8 @@
 #include <graze/formula/roots.hpp>
 #include <graze/machine/fence.hpp>
 #include <graze/number/bounded_word.hpp>
+#include <graze/time/certain_rounding.hpp>
 #include <graze/time/event.hpp>
-#include <graze/time/rounding_test.hpp>
 
 namespace graze::inline v0_1::detail {
 

@@ -1,11 +1,11 @@
 // The contact of a ball and a plane or a wall, by the formulas in numbers that bound their own error.
 #pragma once
 
+#include <graze/contact/components.hpp>
 #include <graze/contact/contact.hpp>
-#include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
 #include <graze/formula/solution.hpp>
-#include <graze/time/bounded_time.hpp>
+#include <graze/time/hit_time.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -18,18 +18,18 @@ class rounded_words {
         const ends<double> interval = ends_of<T>(as_bounds(y));
         const bool is_plain = absolute(interval.upper) > 0x1p-500 && agree<T>(interval);
         to = y.is_zero() ? T(0) : is_plain ? static_cast<T>(interval.upper) : to;
-        certain_ |= parts{y.is_zero() || is_plain} << number;
+        certain_ |= component_set{y.is_zero() || is_plain} << number;
     }
-    void operator()(const vec<N, bounded_word>& y, wall_part first, vec<N, T>& to) noexcept {
+    void operator()(const vec<N, bounded_word>& y, wall_component first, vec<N, T>& to) noexcept {
         for (int i = 0; i < N; ++i) {
             (*this)(y[i], static_cast<int>(first) + i, to[i]);
         }
     }
-    void keep(parts known) noexcept { certain_ |= known; }
-    [[nodiscard]] parts open_parts() const noexcept { return (N == 3 ? 0x1fffU : 0xdb7U) & ~certain_; }
+    void keep(component_set known) noexcept { certain_ |= known; }
+    [[nodiscard]] component_set open_components() const noexcept { return (N == 3 ? 0x1fffU : 0xdb7U) & ~certain_; }
 
   private:
-    parts certain_ = 0;
+    component_set certain_ = 0;
 };
 
 // A plane or a wall's face, by a hit or an overlap. x: the ball's position; clock(τ): the time that is wanted.
@@ -43,17 +43,17 @@ void take_face(rounded_words<N, T>& take, wall_contact<N, T>& c, encounter what,
     }
     const bounded_word length = sqrt(square);
     const auto normal = contact_normal(m.n, graze::sign(height) < 0 ? -length : length);
-    take(normal, wall_part::normal, c.normal);
-    take(reflected_unnormalised(m.u, m.n), wall_part::velocity, c.velocity);
+    take(normal, wall_component::normal, c.normal);
+    take(reflected_unnormalised(m.u, m.n), wall_component::velocity, c.velocity);
     if (what == encounter::overlap) {
-        take(position_at(x, m.n, -(height / square)), wall_part::point, c.point);
+        take(position_at(x, m.n, -(height / square)), wall_component::point, c.point);
         return;
     }
     const bounded_word time = face_time(m);
     const auto position = position_at(x, m.u, time);
     take(clock(time), 0, c.time);
-    take(position, wall_part::position, c.position);
-    take(position_at(position, normal, -m.r), wall_part::point, c.point);
+    take(position, wall_component::position, c.position);
+    take(position_at(position, normal, -m.r), wall_component::point, c.point);
 }
 
 // An edge or a corner. m: seen from the view in which it is the first one. time: 0 of an overlap.
@@ -69,33 +69,35 @@ void take_feature(rounded_words<N, T>& take, wall_contact<N, T>& c, encounter wh
             apart = position_at(apart, m.e[1], -along);
         }
     }
-    take(point, wall_part::point, c.point);
+    take(point, wall_component::point, c.point);
     if (what != encounter::overlap) {
         take(clock(time), 0, c.time);
-        take(position_at(x, m.u, time), wall_part::position, c.position);
+        take(position_at(x, m.u, time), wall_component::position, c.position);
     }
     const bool inside = what == encounter::overlap;
     const vec<N, bounded_word> normal = m.r.is_zero() && !inside
                                             ? zero_vector<N, bounded_word>()
                                             : contact_normal(apart, inside ? sqrt(graze::squared_norm(apart)) : m.r);
-    take(normal, wall_part::normal, c.normal);
+    take(normal, wall_component::normal, c.normal);
     if (what != encounter::graze) {
-        take(inside ? reflected_unnormalised(m.u, apart) : reflected(m.u, normal), wall_part::velocity, c.velocity);
+        take(inside ? reflected_unnormalised(m.u, apart) : reflected(m.u, normal), wall_component::velocity,
+             c.velocity);
     }
 }
 
 // Fills in the components that are certain and returns the others. The position of an overlap and the velocity of a
 // graze are there already.
 template <class P, int N, class T, class Shape, class Clock>
-[[nodiscard, gnu::noinline]] parts fast_wall(P, wall_contact<N, T>& c, encounter what, int index, const ball<N, T>& b,
-                                             const Shape& shape, const Clock& clock) noexcept {
-    constexpr parts vector = 7;
+[[nodiscard, gnu::noinline]] component_set wall_in_words(P, wall_contact<N, T>& c, encounter what, int index,
+                                                         const ball<N, T>& b, const Shape& shape,
+                                                         const Clock& clock) noexcept {
+    constexpr component_set vector = 7;
     rounded_words<N, T> take;
     if (what == encounter::overlap) {
         take(clock(bounded_word(0)), 0, c.time);
-        take.keep(vector << static_cast<int>(wall_part::position));
+        take.keep(vector << static_cast<int>(wall_component::position));
     } else if (what == encounter::graze) {
-        take.keep(vector << static_cast<int>(wall_part::velocity));
+        take.keep(vector << static_cast<int>(wall_component::velocity));
     }
     const auto row = packed<P>(b, shape);
     const auto m = bounded_motion(P{}, row.data());
@@ -116,7 +118,7 @@ template <class P, int N, class T, class Shape, class Clock>
                 const auto view = seen_from(m, edge_view(index));
                 const auto time = when(edge_quadratic(view), [&] { return edge_discriminant{}(view); });
                 take_feature(take, c, what, view, time, x, clock);
-                return take.open_parts();
+                return take.open_components();
             }
         }
         const auto view = seen_from(m, wall_view{index, false});
@@ -124,7 +126,7 @@ template <class P, int N, class T, class Shape, class Clock>
         const auto time = when(quadratic_of(relative), [&] { return discriminant_lagrange{}(relative); });
         take_feature(take, c, what, view, time, x, clock);
     }
-    return take.open_parts();
+    return take.open_components();
 }
 
 } // namespace graze::inline v0_1::detail

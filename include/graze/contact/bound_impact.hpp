@@ -67,7 +67,7 @@ template <bool Fused, int N, class T, class F>
 // Where two balls are at the contact.
 template <int N, class T, bool Fused, class F>
 [[gnu::always_inline]] inline void bound_positions(const ball<N, T>& a, const ball<N, T>& b,
-                                                   const fast_approach<Fused>& r, F& take) noexcept {
+                                                   const newton_approach<Fused>& r, F& take) noexcept {
     take(bounded_position(first_two(a.position), first_two(a.velocity), r), 1, 2);
     take(bounded_position(first_two(b.position), first_two(b.velocity), r), 4, 5);
     if constexpr (N == 3) {
@@ -84,7 +84,7 @@ struct lane_time {
 };
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline lane_time<Fused> time_since(const exact_pair<double>& before,
-                                                                     const fast_approach<Fused>& r) noexcept {
+                                                                     const newton_approach<Fused>& r) noexcept {
     const auto sum = two_sum(before.value, r.t0.value[0]);
     return {as_factor<Fused>(both(sum.value)), sum.error + (before.error + r.t1)};
 }

@@ -23,12 +23,12 @@ struct participant {
 };
 
 // Ball `a` and ball, plane, wall or triangle `b`: indices into the spans of the scene.
-struct meeting {
+struct scene_pair {
     partner with = partner::ball;
     int a = 0;
     int b = 0;
 
-    [[nodiscard]] friend constexpr auto operator<=>(const meeting&, const meeting&) = default;
+    [[nodiscard]] friend constexpr auto operator<=>(const scene_pair&, const scene_pair&) = default;
 };
 
 // "ball 3".
@@ -36,7 +36,7 @@ struct meeting {
     return std::string(to_string(p.kind)) + " " + std::to_string(p.index);
 }
 // "ball 3 and plane 0".
-[[nodiscard]] inline std::string to_string(const meeting& m) {
+[[nodiscard]] inline std::string to_string(const scene_pair& m) {
     return "ball " + std::to_string(m.a) + " and " + to_string(m.with) + " " + std::to_string(m.b);
 }
 

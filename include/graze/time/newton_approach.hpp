@@ -12,7 +12,7 @@
 #include <graze/machine/fence.hpp>
 #include <graze/machine/lanes.hpp>
 #include <graze/shape/ball.hpp>
-#include <graze/time/rounding_test.hpp>
+#include <graze/time/certain_rounding.hpp>
 
 #include <type_traits>
 #include <utility>
@@ -96,7 +96,7 @@ template <class... B>
     }
 }
 
-// What a step from t0 gives; see fast_approach.
+// What a step from t0 gives; see newton_approach.
 template <class L>
 struct newton_step {
     number_of<L> t1, error, sensitivity, per_time;
@@ -105,7 +105,7 @@ struct newton_step {
 
 // τ = t0 + t1 with an error of at most `error`, if good.
 template <bool Fused>
-struct fast_approach {
+struct newton_approach {
     lane_motion motion;
     factor<lanes, Fused> t0;
     lane_displacement<Fused> y01, yR2; // at t0
@@ -170,9 +170,9 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
             hold_together(in_range, sensitivity < 0x1p40, 0x1p50 * magnitude < way)};
 }
 template <bool Fused>
-[[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m, double time,
-                                                                            double length2) noexcept {
-    fast_approach<Fused> r;
+[[nodiscard, gnu::always_inline]] inline newton_approach<Fused> approach_near(const lane_motion& m, double time,
+                                                                              double length2) noexcept {
+    newton_approach<Fused> r;
     r.motion = m;
     r.t0 = as_factor<Fused>(both(time));
     r.y01 = displacement(m.x01, m.u01, r.t0);
@@ -196,8 +196,8 @@ template <class L>
     return sum2[0] + sum2[1];
 }
 template <bool Fused>
-[[nodiscard, gnu::always_inline]] inline fast_approach<Fused> approach_near(const lane_motion& m,
-                                                                            double time) noexcept {
+[[nodiscard, gnu::always_inline]] inline newton_approach<Fused> approach_near(const lane_motion& m,
+                                                                              double time) noexcept {
     return approach_near<Fused>(m, time, squared_length(m));
 }
 

@@ -3,7 +3,7 @@
 #include "../oracle/rounding.hpp"
 #include "bounds.hpp"
 
-#include <graze/contact/fast_contact.hpp>
+#include <graze/contact/contact_in_doubles.hpp>
 
 #include <families/families.hpp>
 
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-using graze::detail::parts;
+using graze::detail::component_set;
 
 namespace {
 
@@ -62,9 +62,9 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
     using taker = graze::detail::rounded_components<N, T>;
     const graze::detail::hit_by_doubles<taker, graze::ball<N, T>> hit{rounded, a, b, mass_a, mass_b, time};
     const graze::detail::overlap_by_doubles<taker, graze::ball<N, T>> both_inside{rounded, a, b, mass_a, mass_b};
-    const auto judge = [&](parts open_parts) {
+    const auto judge = [&](component_set open_components) {
         for (int number = 0; number < static_cast<int>(components); ++number) {
-            if ((open_parts >> number & 1U) == 0 && (number == 0 || (number - 1) % 3 < N)) {
+            if ((open_components >> number & 1U) == 0 && (number == 0 || (number - 1) % 3 < N)) {
                 const T y = graze::detail::component(x, number);
                 s.wrong_values += oracle::is_rounded(truth[static_cast<std::size_t>(number)], y) ? 0 : 1;
             }
@@ -73,15 +73,15 @@ void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze:
     if (!heavy_a && !heavy_b) {
         const auto open = [&](auto fused_products) {
             rounded.certain = 0;
-            return (overlap ? both_inside(fused_products) : hit(fused_products)) ? ~rounded.certain : ~parts{0};
+            return (overlap ? both_inside(fused_products) : hit(fused_products)) ? ~rounded.certain : ~component_set{0};
         };
         judge(open(std::false_type{}));
         judge(open(std::true_type{}));
     }
-    const parts open_parts = graze::detail::fast_contact(x, overlap ? graze::encounter::overlap : graze::encounter::hit,
-                                                         a, b, mass_a, mass_b, time);
-    judge(open_parts);
-    s.certain += open_parts == 0 ? 1 : 0;
+    const component_set open_components = graze::detail::contact_in_doubles(
+        x, overlap ? graze::encounter::overlap : graze::encounter::hit, a, b, mass_a, mass_b, time);
+    judge(open_components);
+    s.certain += open_components == 0 ? 1 : 0;
 }
 
 template <class T>

@@ -15,11 +15,11 @@ namespace graze::inline v0_1 {
 namespace detail {
 
 template <class I>
-struct surd_integers {
+struct root_sum_integers {
     using type = I;
 };
 template <int Bits>
-struct surd_integers<integer<Bits>> {
+struct root_sum_integers<integer<Bits>> {
     static_assert(Bits <= 128);
     using type = integer<Bits <= 64 ? 576 : 1152>;
 };
@@ -29,7 +29,7 @@ struct surd_integers<integer<Bits>> {
 // The integer type of p, q, d and r if a pair's lengths and velocities are of type I. Their formulas have up to nine
 // factors (an edge's velocities). One type for all of them keeps programs small.
 template <class I>
-using surd_integer = typename detail::surd_integers<I>::type;
+using root_sum_integer = typename detail::root_sum_integers<I>::type;
 
 namespace detail {
 
@@ -86,13 +86,13 @@ template <class T>
 }
 
 // The same two for integers whose width is in their type.
-inline constexpr int surd_room = 2048;
+inline constexpr int root_sum_room = 2048;
 template <int Bits>
 [[nodiscard, gnu::noinline]] constexpr int against_boundary(const integer<Bits>& p, const integer<Bits>& q,
                                                             const integer<Bits>& d, const integer<Bits>& r,
                                                             bool negative, int scale, std::uint64_t m, int exponent) {
     static_assert(Bits <= 1152);
-    workspace_of<surd_room> room;
+    workspace_of<root_sum_room> room;
     return against_boundary(to_big(room, p), to_big(room, q), to_big(room, d), to_big(room, r), negative, scale, m,
                             exponent);
 }
@@ -101,13 +101,13 @@ template <class T, int Bits>
                                                        const integer<Bits>& d, const leading& root,
                                                        const integer<Bits>& r, int scale, rounding mode) {
     static_assert(Bits <= 1152);
-    workspace_of<surd_room> room;
+    workspace_of<root_sum_room> room;
     return round_by_sign<T>(to_big(room, p), to_big(room, q), to_big(room, d), root, to_big(room, r), scale, mode);
 }
 
 } // namespace detail
 
-// d >= 0 with an estimate of its root, for all numbers of one Q(√d). Z is a surd_integer.
+// d >= 0 with an estimate of its root, for all numbers of one Q(√d). Z is a root_sum_integer.
 template <class Z>
 struct radicand {
     Z value;

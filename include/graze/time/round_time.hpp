@@ -1,25 +1,25 @@
 // An event's exact time, rounded.
 #pragma once
 
-#include <graze/exact/surd.hpp>
+#include <graze/exact/round_root_sum.hpp>
 #include <graze/time/enclosure.hpp>
 #include <graze/time/exact_event.hpp>
-#include <graze/time/fast_time.hpp>
 #include <graze/time/further_time.hpp>
+#include <graze/time/round_in_doubles.hpp>
 
 namespace graze::inline v0_1::detail {
 
 // What the surds of a motion in integers are made of.
 template <class M>
-[[nodiscard]] constexpr auto surd_integer_of(const M& m) noexcept {
+[[nodiscard]] constexpr auto root_sum_integer_of(const M& m) noexcept {
     if constexpr (requires { m.R; }) {
-        return surd_integer<std::remove_cvref_t<decltype(m.R)>>();
+        return root_sum_integer<std::remove_cvref_t<decltype(m.R)>>();
     } else {
-        return surd_integer<std::remove_cvref_t<decltype(m.r)>>();
+        return root_sum_integer<std::remove_cvref_t<decltype(m.r)>>();
     }
 }
 template <class M>
-using surd_integer_for = decltype(surd_integer_of(std::declval<M>()));
+using root_sum_integer_for = decltype(root_sum_integer_of(std::declval<M>()));
 
 // The smaller root (-h - √D)/a of a quadratic with a > 0, in units of 2^unit.
 template <class T, class Z, class A, class H, class From = from_now>
@@ -50,7 +50,7 @@ template <class T, class Z, class M, class From = from_now>
 template <class T, class M, class From = from_now>
 [[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
     const auto q = quadratic_of(m);
-    const radicand<surd_integer_for<M>> d(discriminant_halved{}(q));
+    const radicand<root_sum_integer_for<M>> d(discriminant_halved{}(q));
     return counted.is_now() ? round_root_from_now<T>(q, d, unit, mode)
                             : round_root<T>(q.a, q.h, d, unit, mode, counted);
 }
@@ -59,7 +59,7 @@ template <class T, class M, class From = from_now>
 template <class T, int N, class M, class From = from_now>
 [[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode,
                                           const From& counted = {}) {
-    using Z = surd_integer_for<M>;
+    using Z = root_sum_integer_for<M>;
     if (kind == event_kind::face) {
         const auto face = face_of(m);
         return round_plane_time<T>(face, radicand<Z>(graze::squared_norm(face.n)), unit, mode, counted);
@@ -78,7 +78,7 @@ template <class T, int N, class M, class From = from_now>
 template <class T, int N, class P, class M, class From = from_now>
 [[nodiscard]] constexpr T round_pair_time(event_kind kind, int index, const M& m, int unit, rounding mode,
                                           const From& counted = {}) {
-    using Z = surd_integer_for<M>;
+    using Z = root_sum_integer_for<M>;
     if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
         return round_wall_time<T, N>(kind, index, m, unit, mode, counted);
     } else if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
@@ -189,7 +189,7 @@ template <class T, int N, class U>
                 return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
             }
         }
-        if (const auto fast = round_fast<T>(e, bounds.near, mode)) {
+        if (const auto fast = round_in_doubles<T>(e, bounds.near, mode)) {
             return *fast;
         }
         if (e.kind == event_kind::balls) {

@@ -1,9 +1,9 @@
 // The contact of two movers rounded by doubles alone, as far as that leaves no doubt.
 #pragma once
 
-#include <graze/contact/bounded_impact.hpp>
+#include <graze/contact/bound_impact.hpp>
+#include <graze/contact/components.hpp>
 #include <graze/contact/contact.hpp>
-#include <graze/contact/parts.hpp>
 #include <graze/formula/encounter.hpp>
 #include <graze/machine/fused.hpp>
 
@@ -27,30 +27,31 @@ template <int N, class T>
 // ball does not move, or on which both balls have the same position and velocity. together: whether they started at one
 // instant. Returns the components that are still open.
 template <int N, class T>
-[[nodiscard, gnu::noinline]] inline parts fill_in_at_rest(parts open_parts, contact<N, T>& c, const ball<N, T>& a,
-                                                          const ball<N, T>& b, bool together) noexcept {
+[[nodiscard, gnu::noinline]] inline component_set fill_in_at_rest(component_set open_components, contact<N, T>& c,
+                                                                  const ball<N, T>& a, const ball<N, T>& b,
+                                                                  bool together) noexcept {
     const T zero(0);
-    const auto set = [&](part which, int i, T& to, const T& value) {
-        const parts bit = parts{1} << (static_cast<int>(which) + i);
-        if ((open_parts & bit) != 0) {
+    const auto set = [&](contact_component which, int i, T& to, const T& value) {
+        const component_set bit = component_set{1} << (static_cast<int>(which) + i);
+        if ((open_components & bit) != 0) {
             to = with_plain_zero(value);
         }
-        open_parts &= ~bit;
+        open_components &= ~bit;
     };
     for (int i = 0; i < N; ++i) {
         if (a.velocity[i] == zero) {
-            set(part::position_a, i, c.position_a[i], a.position[i]);
+            set(contact_component::position_a, i, c.position_a[i], a.position[i]);
         }
         if (b.velocity[i] == zero) {
-            set(part::position_b, i, c.position_b[i], b.position[i]);
+            set(contact_component::position_b, i, c.position_b[i], b.position[i]);
         }
         if (a.position[i] == b.position[i] && a.velocity[i] == b.velocity[i] && (together || a.velocity[i] == zero)) {
-            set(part::normal, i, c.normal[i], zero);
-            set(part::velocity_a, i, c.velocity_a[i], a.velocity[i]);
-            set(part::velocity_b, i, c.velocity_b[i], b.velocity[i]);
+            set(contact_component::normal, i, c.normal[i], zero);
+            set(contact_component::velocity_a, i, c.velocity_a[i], a.velocity[i]);
+            set(contact_component::velocity_b, i, c.velocity_b[i], b.velocity[i]);
         }
     }
-    return open_parts;
+    return open_components;
 }
 
 // Takes what is bounded: writes the upper ends, and keeps which are certain; and the time as it is, for those who scale
@@ -58,7 +59,7 @@ template <int N, class T>
 template <int N, class T>
 struct rounded_components {
     contact<N, T>& c;
-    parts certain = 0;
+    component_set certain = 0;
     bounded<double> time{};
 
     [[gnu::always_inline]] void operator()(const bounded<double>& x, int number) noexcept {
@@ -67,7 +68,7 @@ struct rounded_components {
         }
         const ends<double> interval = ends_of<T>(x);
         component(c, number) = static_cast<T>(interval.upper);
-        certain |= parts{agree<T>(interval)} << number;
+        certain |= component_set{agree<T>(interval)} << number;
     }
     [[gnu::always_inline]] void operator()(const bounded<lanes>& x, int first, int second) noexcept {
         const ends<lanes> interval = ends_of<T>(x);
@@ -114,24 +115,26 @@ template <class Taker, moving B>
 
 // All components of a contact in N dimensions; and three of one vector.
 template <int N>
-inline constexpr parts every_part = N == 3 ? 0xffffU : 0x6db7U;
-[[nodiscard]] constexpr parts three_from(part first) noexcept { return parts{7} << static_cast<int>(first); }
+inline constexpr component_set every_part = N == 3 ? 0xffffU : 0x6db7U;
+[[nodiscard]] constexpr component_set three_from(contact_component first) noexcept {
+    return component_set{7} << static_cast<int>(first);
+}
 
 // Writes the components that need no arithmetic and returns them: an overlap's time and the positions of balls that
 // start then, a graze's velocities, and the velocity of a ball of infinite mass (the other's mass is then given as 0).
 template <moving B, class Contact, class W>
-constexpr parts set_given(Contact& c, encounter what, const B& a, const B& b, const W& mass_a,
-                          const W& mass_b) noexcept {
+constexpr component_set set_given(Contact& c, encounter what, const B& a, const B& b, const W& mass_a,
+                                  const W& mass_b) noexcept {
     const auto& x = state_of(a);
     const auto& y = state_of(b);
-    parts given = 0;
+    component_set given = 0;
     if (what == encounter::graze || is_zero(mass_b)) {
         c.velocity_a = x.velocity;
-        given |= three_from(part::velocity_a);
+        given |= three_from(contact_component::velocity_a);
     }
     if (what == encounter::graze || is_zero(mass_a)) {
         c.velocity_b = y.velocity;
-        given |= three_from(part::velocity_b);
+        given |= three_from(contact_component::velocity_b);
     }
     if (what == encounter::overlap) {
         const auto since = epochs_of(a, b);
@@ -144,11 +147,11 @@ constexpr parts set_given(Contact& c, encounter what, const B& a, const B& b, co
         }
         if (starts_a) {
             c.position_a = with_plain_zeros(x.position);
-            given |= three_from(part::position_a);
+            given |= three_from(contact_component::position_a);
         }
         if (starts_b) {
             c.position_b = with_plain_zeros(y.position);
-            given |= three_from(part::position_b);
+            given |= three_from(contact_component::position_b);
         }
     }
     return given;
@@ -156,27 +159,27 @@ constexpr parts set_given(Contact& c, encounter what, const B& a, const B& b, co
 
 // What is open when `certain` has been filled in.
 template <moving B, class Contact>
-[[nodiscard]] inline parts open_after(parts certain, Contact& c, encounter what, const B& a, const B& b, double mass_a,
-                                      double mass_b) noexcept {
+[[nodiscard]] inline component_set open_after(component_set certain, Contact& c, encounter what, const B& a, const B& b,
+                                              double mass_a, double mass_b) noexcept {
     constexpr int N = dimension_of<B>;
     if (what != encounter::hit || mass_a == 0 || mass_b == 0) {
         certain |= set_given(c, what, a, b, mass_a, mass_b);
     }
-    const parts open_parts = every_part<N> & ~certain;
-    if (open_parts == 0) {
+    const component_set open_components = every_part<N> & ~certain;
+    if (open_components == 0) {
         return 0;
     }
     bool together = true;
     if constexpr (is_flight<B>) {
         together = bits_of(a.since) == bits_of(b.since);
     }
-    return fill_in_at_rest(open_parts, c, state_of(a), state_of(b), together);
+    return fill_in_at_rest(open_components, c, state_of(a), state_of(b), together);
 }
 
 // Fills in the components that are certain and returns the others; what: hit or overlap.
 template <int N, class T, moving B>
-[[nodiscard, gnu::noinline]] parts fast_contact(contact<N, T>& c, encounter what, const B& a, const B& b, double mass_a,
-                                                double mass_b, double time) noexcept {
+[[nodiscard, gnu::noinline]] component_set contact_in_doubles(contact<N, T>& c, encounter what, const B& a, const B& b,
+                                                              double mass_a, double mass_b, double time) noexcept {
     rounded_components<N, T> taken{c};
     const bool known = contact_by_doubles(taken, what, a, b, mass_a, mass_b, time);
     return open_after(known ? taken.certain : 0, c, what, a, b, mass_a, mass_b);

@@ -4,7 +4,7 @@
 #include "../machine/wide_values.hpp"
 #include "../oracle/rounding.hpp"
 
-#include <graze/exact/surd.hpp>
+#include <graze/exact/round_root_sum.hpp>
 
 #include <doctest/doctest.h>
 

@@ -7,19 +7,19 @@
 namespace graze::inline v0_1::detail {
 
 // A set of components: bit 0 is the time, then come the vectors of a contact in their order, three bits each.
-using parts = unsigned;
-inline constexpr parts all_parts = ~0U;
+using component_set = unsigned;
+inline constexpr component_set all_components = ~0U;
 
-enum class part { position_a = 1, position_b = 4, normal = 7, velocity_a = 10, velocity_b = 13 };
-enum class wall_part { position = 1, point = 4, normal = 7, velocity = 10 };
+enum class contact_component { position_a = 1, position_b = 4, normal = 7, velocity_a = 10, velocity_b = 13 };
+enum class wall_component { position = 1, point = 4, normal = 7, velocity = 10 };
 
-[[nodiscard]] constexpr bool has_time(parts wanted) noexcept { return (wanted & 1U) != 0; }
+[[nodiscard]] constexpr bool has_time(component_set wanted) noexcept { return (wanted & 1U) != 0; }
 
 // x[i] = f(i) for the components of x that are wanted; its first one has the number `first`. Whatever f takes from the
 // workspace is given back.
 template <int N, class T, class Part, class F>
-constexpr void fill(vec<N, T>& x, parts wanted, Part first, workspace* room, F f) {
-    const parts mine = wanted >> static_cast<unsigned>(first);
+constexpr void fill(vec<N, T>& x, component_set wanted, Part first, workspace* room, F f) {
+    const component_set mine = wanted >> static_cast<unsigned>(first);
     for (int i = 0; i < N; ++i) {
         if ((mine >> i & 1U) != 0) {
             const workspace::scope scope(room);
