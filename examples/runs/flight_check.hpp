@@ -1,7 +1,7 @@
 // Checks a run of balls in a box, independently of it: did a ball pass through another one, or bounce off nothing?
 #pragma once
 
-#include <graze/scene/outcome.hpp>
+#include <graze/run/outcome.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <graze/number/floating.hpp>
-#include <graze/scene/exact_mechanics.hpp>
-#include <graze/scene/plain_mechanics.hpp>
-#include <graze/scene/run.hpp>
+#include <graze/run/exact_mechanics.hpp>
+#include <graze/run/plain_mechanics.hpp>
+#include <graze/run/run.hpp>
 #include <graze/scene/scene_of.hpp>
 
 #if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)

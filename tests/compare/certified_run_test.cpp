@@ -3,7 +3,7 @@
 #include "run/sequence.hpp"
 #include "scene_reader.hpp"
 
-#include <graze/scene/run.hpp>
+#include <graze/run/run.hpp>
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // The calendar names the earliest ball, wherever its instant waited, and loses none.
-#include <graze/scene/event_calendar.hpp>
+#include <graze/run/event_calendar.hpp>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

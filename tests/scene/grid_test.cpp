@@ -1,8 +1,8 @@
 // The cells decide which pairs are predicted, never what happens; and a run continues after an interruption as if there
 // had been none.
 #include <graze/number/floating.hpp>
-#include <graze/scene/plain_mechanics.hpp>
-#include <graze/scene/run.hpp>
+#include <graze/run/plain_mechanics.hpp>
+#include <graze/run/run.hpp>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -2,8 +2,8 @@
 #include "fraction.hpp"
 
 #include <graze/number/floating.hpp>
-#include <graze/scene/plain_mechanics.hpp>
-#include <graze/scene/run.hpp>
+#include <graze/run/plain_mechanics.hpp>
+#include <graze/run/run.hpp>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

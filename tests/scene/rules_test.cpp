@@ -2,7 +2,7 @@
 #include "exact_runs.hpp"
 
 #include <graze/number/floating.hpp>
-#include <graze/scene/plain_mechanics.hpp>
+#include <graze/run/plain_mechanics.hpp>
 #include <graze/scene/scene_of.hpp>
 
 #include <doctest/doctest.h>

@@ -1,8 +1,8 @@
 // One run, many number types: Galperin's billiard has the same count in all types with enough digits.
 #include <graze/number/adapter/boost.hpp>
 #include <graze/number/floating.hpp>
-#include <graze/scene/plain_mechanics.hpp>
-#include <graze/scene/run.hpp>
+#include <graze/run/plain_mechanics.hpp>
+#include <graze/run/run.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <doctest/doctest.h>

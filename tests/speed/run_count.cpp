@@ -1,9 +1,9 @@
 // graze-run-count: a fluid of 500 hard spheres that has melted for 10 events a ball, and so many events of it, for a
 // program that counts instructions. [count_run.cmake]
 #include <graze/number/floating.hpp>
-#include <graze/scene/exact_mechanics.hpp>
-#include <graze/scene/plain_mechanics.hpp>
-#include <graze/scene/run.hpp>
+#include <graze/run/exact_mechanics.hpp>
+#include <graze/run/plain_mechanics.hpp>
+#include <graze/run/run.hpp>
 
 #include <cmath>
 #include <cstdint>

@@ -4,9 +4,9 @@
 #include "runs/fluid_scene.hpp"
 
 #include <graze/number/floating.hpp>
-#include <graze/scene/exact_mechanics.hpp>
-#include <graze/scene/plain_mechanics.hpp>
-#include <graze/scene/run.hpp>
+#include <graze/run/exact_mechanics.hpp>
+#include <graze/run/plain_mechanics.hpp>
+#include <graze/run/run.hpp>
 
 #include <algorithm>
 #include <cmath>

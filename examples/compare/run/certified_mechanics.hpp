@@ -4,7 +4,7 @@
 #include "certified_flight.hpp"
 #include "certified_time.hpp"
 
-#include <graze/scene/plain_mechanics.hpp>
+#include <graze/run/plain_mechanics.hpp>
 #include <graze/solve.hpp>
 
 #include <algorithm>

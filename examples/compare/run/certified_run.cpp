@@ -5,7 +5,7 @@
 #include "interruption.hpp"
 #include "scene_in.hpp"
 
-#include <graze/scene/run.hpp>
+#include <graze/run/run.hpp>
 
 #include <algorithm>
 #include <cmath>

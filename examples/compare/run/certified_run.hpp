@@ -7,7 +7,7 @@
 
 #include "../progress.hpp"
 
-#include <graze/scene/outcome.hpp>
+#include <graze/run/outcome.hpp>
 
 #include <cstdint>
 #include <optional>

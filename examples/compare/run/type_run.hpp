@@ -9,7 +9,7 @@
 #include "../reader.hpp"
 #include "../stopwatch.hpp"
 
-#include <graze/scene/run.hpp>
+#include <graze/run/run.hpp>
 
 #include <cmath>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "../type_run.hpp"
 
 #include <graze/number/adapter/float128.hpp>
-#include <graze/scene/plain_mechanics.hpp>
+#include <graze/run/plain_mechanics.hpp>
 
 namespace compare::run::types {
 

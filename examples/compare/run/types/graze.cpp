@@ -1,6 +1,6 @@
 #include "../type_run.hpp"
 
-#include <graze/scene/exact_mechanics.hpp>
+#include <graze/run/exact_mechanics.hpp>
 
 namespace compare::run::types {
 

@@ -2,7 +2,7 @@
 
 #include "../type_run.hpp"
 
-#include <graze/scene/plain_mechanics.hpp>
+#include <graze/run/plain_mechanics.hpp>
 
 namespace compare::run::types {
 

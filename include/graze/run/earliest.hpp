@@ -1,7 +1,7 @@
 // The exactly earliest of the events that a run has predicted.
 #pragma once
 
-#include <graze/scene/moving_scene.hpp>
+#include <graze/run/moving_scene.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <graze/formula/flat_way.hpp>
-#include <graze/scene/shift.hpp>
-#include <graze/scene/standing_shapes.hpp>
+#include <graze/point/shift.hpp>
+#include <graze/point/standing_shapes.hpp>
 
 #include <algorithm>
 #include <optional>

@@ -1,11 +1,11 @@
 // Balls of radius 0 among planes and walls: what they meet at an instant, and on which side of what they stay.
 #pragma once
 
-#include <graze/scene/arrival.hpp>
-#include <graze/scene/junction.hpp>
-#include <graze/scene/kept_sides.hpp>
-#include <graze/scene/lost_sides.hpp>
-#include <graze/scene/standing.hpp>
+#include <graze/point/arrival.hpp>
+#include <graze/point/junction.hpp>
+#include <graze/point/kept_sides.hpp>
+#include <graze/point/lost_sides.hpp>
+#include <graze/point/standing.hpp>
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 // The planes and walls that a point reaches at one time.
 #pragma once
 
-#include <graze/scene/junction.hpp>
-#include <graze/scene/standing.hpp>
+#include <graze/point/junction.hpp>
+#include <graze/point/standing.hpp>
 
 #include <optional>
 #include <vector>

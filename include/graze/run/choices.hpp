@@ -1,7 +1,7 @@
 // The events of one time between which a run has to choose.
 #pragma once
 
-#include <graze/scene/earliest.hpp>
+#include <graze/run/earliest.hpp>
 
 namespace graze::inline v0_1::detail {
 

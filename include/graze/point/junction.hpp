@@ -3,8 +3,8 @@
 
 #include <graze/formula/plane_crossing.hpp>
 #include <graze/formula/wall_features.hpp>
+#include <graze/point/shift.hpp>
 #include <graze/scene/body.hpp>
-#include <graze/scene/shift.hpp>
 
 #include <algorithm>
 #include <iterator>

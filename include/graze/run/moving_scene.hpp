@@ -1,12 +1,12 @@
 // The parts of a scene while a run changes them, and the questions about them.
 #pragma once
 
+#include <graze/point/points.hpp>
+#include <graze/run/image_ledger.hpp>
+#include <graze/run/numbered_balls.hpp>
+#include <graze/run/saying.hpp>
 #include <graze/scene/check_scene.hpp>
-#include <graze/scene/image_ledger.hpp>
 #include <graze/scene/images.hpp>
-#include <graze/scene/numbered_balls.hpp>
-#include <graze/scene/points.hpp>
-#include <graze/scene/saying.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 // The predicted events of a run's balls.
 #pragma once
 
-#include <graze/scene/choices.hpp>
-#include <graze/scene/event_calendar.hpp>
-#include <graze/scene/lookout.hpp>
-#include <graze/scene/outcome.hpp>
+#include <graze/run/choices.hpp>
+#include <graze/run/event_calendar.hpp>
+#include <graze/run/lookout.hpp>
+#include <graze/run/outcome.hpp>
 
 #include <limits>
 #include <stdexcept>

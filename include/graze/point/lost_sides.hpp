@@ -1,8 +1,8 @@
 // The sides of planes and walls on which a point belongs, where the rounding of its position has lost them.
 #pragma once
 
+#include <graze/point/standing.hpp>
 #include <graze/scene/mechanics.hpp>
-#include <graze/scene/standing.hpp>
 
 namespace graze::inline v0_1::detail {
 

@@ -1,9 +1,9 @@
 // Steps of a run beside its events: other states, jams, what ends it.
 #pragma once
 
-#include <graze/scene/forecast.hpp>
-#include <graze/scene/jam.hpp>
-#include <graze/scene/outcome.hpp>
+#include <graze/run/forecast.hpp>
+#include <graze/run/jam.hpp>
+#include <graze/run/outcome.hpp>
 
 #include <algorithm>
 #include <array>

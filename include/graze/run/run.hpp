@@ -1,9 +1,9 @@
 // A scene's events one after the other: predict, take the earliest, let its two bounce, predict again.
 #pragma once
 
-#include <graze/scene/grazed_balls.hpp>
-#include <graze/scene/outcome.hpp>
-#include <graze/scene/run_steps.hpp>
+#include <graze/run/grazed_balls.hpp>
+#include <graze/run/outcome.hpp>
+#include <graze/run/run_steps.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // The balls of a scene as a run starts with them.
 #pragma once
 
+#include <graze/run/mover.hpp>
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/images.hpp>
-#include <graze/scene/mover.hpp>
 #include <graze/scene/scene.hpp>
 
 #include <algorithm>

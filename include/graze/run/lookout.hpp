@@ -1,7 +1,7 @@
 // What one ball of a run may do next.
 #pragma once
 
-#include <graze/scene/moving_scene.hpp>
+#include <graze/run/moving_scene.hpp>
 #include <graze/scene/surroundings.hpp>
 
 #include <limits>

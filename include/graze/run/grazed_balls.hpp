@@ -1,7 +1,7 @@
 // The balls that have grazed something at the time at hand, and what else they meet at just that time.
 #pragma once
 
-#include <graze/scene/moving_scene.hpp>
+#include <graze/run/moving_scene.hpp>
 
 #include <algorithm>
 #include <utility>
