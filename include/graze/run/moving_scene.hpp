@@ -69,10 +69,6 @@ class moving_scene {
         return b < balls() ? scene_pair{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
-    [[nodiscard]] bool is_stale(const predicted& f) const noexcept {
-        return counts_[f.a] != f.count_a || (f.b < balls() && counts_[f.b] != f.count_b);
-    }
-
     // Whether the two have just met: neither has had another event since, and both fly straight, so that they part.
     // What meets an immovable ball changes nothing for that ball; it meets what stands once.
     [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, const image_index& image = {}) const noexcept {
@@ -135,10 +131,7 @@ class moving_scene {
         ++counts_[a];
     }
     [[nodiscard]] participant part(body b) const noexcept {
-        if (b < balls()) {
-            return {partner::ball, name(b)};
-        }
-        const scene_pair m = standing_.named(0, b);
+        const scene_pair m = named(0, b);
         return {m.with, m.b};
     }
 

@@ -71,7 +71,7 @@ class run {
                 ++next_;
                 continue;
             }
-            if (limits.time && is_after(d, *limits.time)) {
+            if (limits.time && detail::is_after(scene(), d, *limits.time)) {
                 done.why = ending::time;
                 return done;
             }
@@ -147,30 +147,19 @@ class run {
 
     [[nodiscard]] const detail::moving_scene<M>& scene() const noexcept { return forecast_.scene(); }
 
-    [[nodiscard]] bool is_after(const detail::timed_event<time>& d, const number& end) const {
-        try {
-            return scene().rules().order(d.when, end) > 0;
-        } catch (graze::undecided& e) {
-            e.between(scene().named(d.what.a, d.what.b));
-            throw;
-        }
-    }
-
-    using bodies = detail::jammed_bodies;
-
     // Which of the two that have just met is jammed, or no_body. Mirrors are not: nothing holds them.
     [[nodiscard]] body jammed(body a, body b, std::uint64_t most) noexcept {
         const bool first = !scene()[a].immovable && jams_.note(a, b, now_, most);
         const bool second = b < scene().balls() && !scene()[b].immovable && jams_.note(b, a, now_, most);
         return first ? a : second ? b : detail::no_body;
     }
-    [[nodiscard]] outcome ended_by(const bodies& jam, outcome& done) const {
+    [[nodiscard]] outcome ended_by(const detail::jammed_bodies& jam, outcome& done) const {
         detail::name_jam(scene(), jam, done);
         done.why = ending::cascade;
         return std::move(done);
     }
     // Those of them that can stop, stop.
-    void stop(const bodies& jam, outcome& done) {
+    void stop(const detail::jammed_bodies& jam, outcome& done) {
         run changed(*this);
         detail::stop_jam(changed.forecast_, jam, now_);
         changed.still_ = 0;
@@ -210,9 +199,7 @@ class run {
             }
             forecast_.mark_choices(d.when, simultaneous_, next_ + 1);
             grazed_.note(changing, a, before_a);
-            if (two) {
-                grazed_.note(changing, b, before_b);
-            }
+            grazed_.note(changing, two ? b : a, before_b);
         } catch (...) {
             changing.restore(a, before_a);
             if (two) {

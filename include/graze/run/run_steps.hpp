@@ -51,6 +51,18 @@ template <mechanics M>
     return near + std::fabs(near) * 0x1p-49 + std::numeric_limits<double>::min();
 }
 
+// Whether an event is after that time.
+template <mechanics M>
+[[nodiscard]] bool is_after(const moving_scene<M>& scene, const timed_event<typename M::time>& d,
+                            const typename M::number& end) {
+    try {
+        return scene.rules().order(d.when, end) > 0;
+    } catch (graze::undecided& e) {
+        e.between(scene.named(d.what.a, d.what.b));
+        throw;
+    }
+}
+
 // Throws std::domain_error for two mirrors that are due to meet.
 template <mechanics M>
 [[noreturn]] void refuse_mirrors(const moving_scene<M>& scene, const timed_event<typename M::time>& d) {
