@@ -160,7 +160,7 @@ TEST_CASE("broken JSON: line and column") {
 TEST_CASE("wrong keys") {
     CHECK(message_for(R"({"dimension": 2, "ballz": []})") ==
           "s.json: /ballz: unknown key; known here: dimension, balls, name, description, source, planes, walls, "
-          "triangles");
+          "triangles, period");
     CHECK(message_for(scene_with{.more = R"(, "radius": 2)"}) == "s.json: /balls/1/radius: the key occurs twice");
     CHECK(message_for(scene_with{.top = R"(, "dimension": 3)"}) == "s.json: /dimension: the key occurs twice");
     CHECK(message_for(scene_with{.more = R"(, "a/b~c": 2)"}) ==

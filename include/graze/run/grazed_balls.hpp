@@ -9,10 +9,15 @@
 
 namespace graze::inline v0_1::detail {
 
+// Whether they are certainly equal.
 template <int N, class T>
 [[nodiscard]] bool are_equal(const vec<N, T>& x, const vec<N, T>& y) {
-    return std::equal(x.component, x.component + N, y.component,
-                      [](const T& a, const T& b) { return !(a < b) && !(b < a); });
+    try {
+        return std::equal(x.component, x.component + N, y.component,
+                          [](const T& a, const T& b) { return !(a < b) && !(b < a); });
+    } catch (const graze::undecided&) {
+        return false;
+    }
 }
 
 // A graze changes no velocity. So what had been predicted for the same time still happens; but it is computed from the
