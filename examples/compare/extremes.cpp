@@ -136,18 +136,6 @@ std::string worst_text(const results& found, const std::vector<found_extreme>& a
 
 } // namespace
 
-std::string quoted(const std::string& word) {
-    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-=:,@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-        return word;
-    }
-    std::string text = "'";
-    for (const char letter : word) {
-        text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    }
-    return text + "'";
-}
-
 std::string repeat_command(const results& found, const row& r, std::size_t pair) {
     return found.program + found.inputs + " --pair " + std::to_string(pair) + " --types " + quoted(r.type) +
            " --variants " + r.variant + "/" + r.root;

@@ -1,6 +1,7 @@
 // The pairs that types are wrong on, and at their worst on: in words, as files, and as commands that show them again.
 #pragma once
 
+#include "quoted.hpp"
 #include "results.hpp"
 
 #include <filesystem>
@@ -23,8 +24,5 @@ namespace compare {
 // Writes a scene file for each pair, pair-NUMBER.json, and a list of them all, pairs.txt. The folder is made where it
 // is missing. Throws std::runtime_error that names what cannot be written.
 void write_pairs(const results& found, const std::filesystem::path& folder);
-
-// A word as a shell takes it: in quotes where it needs them.
-[[nodiscard]] std::string quoted(const std::string& word);
 
 } // namespace compare

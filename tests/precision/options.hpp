@@ -1,6 +1,8 @@
 // The command line of a precision program.
 #pragma once
 
+#include "../../examples/compare/quoted.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
@@ -29,7 +31,6 @@ extern const char* const usage;
 // std::invalid_argument that names the option.
 [[nodiscard]] options parse(const std::vector<std::string>& words);
 
-// A word as a shell takes it: in quotes where it needs them.
-[[nodiscard]] std::string quoted(const std::string& word);
+using compare::quoted;
 
 } // namespace precision

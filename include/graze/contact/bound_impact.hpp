@@ -4,9 +4,9 @@
 //   position  x + u τ        normal  y/R        velocity  u_a + φ_a y/R,  u_b - φ_b y/R,  φ_a = 2 (s/R) m_b/(m_a + m_b)
 // ((13), (20), (23) with (29): ⟨Δu,X̂⟩ = -s/R). Of an overlap τ = 0 and R is |Δx|.
 //
-// take(x, i, j) is called with components i and j, as parts count them, as lanes; take(x, i) with one. If no bounds are
-// known the functions return false and have called nothing. mass_a, mass_b: 1 and 0 where ball a's mass is infinite, 0
-// and 1 where b's.
+// take(x, i, j) is called with components i and j, as components.hpp counts them, as lanes; take(x, i) with one. If no
+// bounds are known the functions return false and have called nothing. mass_a, mass_b: 1 and 0 where ball a's mass is
+// infinite, 0 and 1 where b's.
 #pragma once
 
 #include <graze/contact/lane_steps.hpp>

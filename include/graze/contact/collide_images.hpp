@@ -10,13 +10,13 @@
 
 namespace graze::inline v0_1::detail {
 
-inline constexpr component_set position_parts =
+inline constexpr component_set position_components =
     three_from(contact_component::position_a) | three_from(contact_component::position_b);
 
 // Where two flights really are when their stand-ins hit, which they do at about `time` from their start. False if
 // nothing is known.
 template <int N, class T>
-struct positions_by_doubles {
+struct position_step {
     rounded_components<N, T>& taken;
     const flight<N, T>&a, &b;
     const stand_ins<N, T>& pair;
@@ -36,15 +36,16 @@ struct positions_by_doubles {
 
 // Fills in the positions that doubles are certain of; the others are returned.
 template <int N, class T>
-[[nodiscard, gnu::noinline]] component_set fast_positions(contact<N, T>& c, const flight<N, T>& a,
-                                                          const flight<N, T>& b, const stand_ins<N, T>& pair) noexcept {
-    constexpr component_set wanted = position_parts & every_part<N>;
+[[nodiscard, gnu::noinline]] component_set positions_in_doubles(contact<N, T>& c, const flight<N, T>& a,
+                                                                const flight<N, T>& b,
+                                                                const stand_ins<N, T>& pair) noexcept {
+    constexpr component_set wanted = position_components & every_part<N>;
     if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest() && has_usual_size(pair.a, pair.b) && has_usual_size(a, b)) {
             if (const auto f = start_filter(pair.a, pair.b).finish(); f.certain && f.what() == encounter::hit) {
                 rounded_components<N, T> taken{c};
                 const double time = root_stable{}(f.c, f.h, std::sqrt(f.discriminant));
-                if (with_best_products(positions_by_doubles<N, T>{taken, a, b, pair, time})) {
+                if (with_best_products(position_step<N, T>{taken, a, b, pair, time})) {
                     return wanted & ~taken.certain;
                 }
             }
@@ -56,12 +57,11 @@ template <int N, class T>
 // Rounds the positions that are wanted, by integers.
 template <int N, class T>
 [[gnu::noinline]] void round_positions(contact<N, T>& c, component_set wanted, encounter what, const flight<N, T>& a,
-                                       const flight<N, T>& b, const std::array<std::int32_t, 3>& periods,
-                                       const vec<N, T>& period) {
+                                       const flight<N, T>& b, const image_shift<N, T>& image) {
     timed_workspace room;
     auto in = lift_timed<two_balls<N>>(packed<two_balls<N>>(a.state, b.state), std::array<T, 2>{a.since, b.since});
     lifted<N> lengths;
-    lift(lengths, period.component);
+    lift(lengths, image.period.component);
     const int unit = std::min(in.unit(), lengths.exponent - in.pair.velocity.exponent);
     in.settle(unit);
     lower(lengths, unit + in.pair.velocity.exponent);
@@ -72,39 +72,32 @@ template <int N, class T>
     auto displaced = pair;
     for (int i = 0; i < N; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        if (periods[k] != 0) {
+        if (image.periods[k] != 0) {
             displaced.b.state.position[i] =
-                displaced.b.state.position[i] + big_integer(periods[k]) * lengths.template get<big_integer>(k);
+                displaced.b.state.position[i] + big_integer(image.periods[k]) * lengths.template get<big_integer>(k);
         }
     }
     const auto position_a = pair.position(pair.a);
     const auto position_b = pair.position(pair.b);
     if (what == encounter::overlap) {
-        const auto rounded = [&](const big_integer& x) {
-            return round_to<T>(x, big_integer(0), radicand<big_integer>(), big_integer(1), units.length);
-        };
-        fill(c.position_a, wanted, contact_component::position_a, &room, [&](int i) { return rounded(position_a[i]); });
-        fill(c.position_b, wanted, contact_component::position_b, &room, [&](int i) { return rounded(position_b[i]); });
+        round_centres(c, wanted, position_a, position_b, units);
         return;
     }
-    const auto motion = displaced.motion();
-    const big_integer one(1);
-    const exact_balls<N, std::remove_cvref_t<decltype(motion)>, big_integer, big_integer, big_integer> e{
-        motion, position_a, position_b, pair.a.state.velocity, pair.b.state.velocity, one, one};
-    round_balls(c, wanted, what, e, units, from_earlier<big_integer>{pair.start()});
+    const big_integer no_masses[2] = {1, 1};
+    round_movers(c, wanted, what, pair, displaced.motion(), position_a, position_b, no_masses, units,
+                 from_earlier<big_integer>{pair.start()});
 }
 
 // The contact of a and the image of b that is so many periods away, every component correctly rounded, positions where
 // each of the two comes by itself.
 template <int N, class T>
 [[nodiscard]] std::optional<contact<N, T>> collide_image(const flight<N, T>& a, const flight<N, T>& b,
-                                                         const std::array<std::int32_t, 3>& periods,
-                                                         const vec<N, T>& period) {
-    const stand_ins<N, T> pair(a, b, periods, period);
+                                                         const image_shift<N, T>& image) {
+    const stand_ins<N, T> pair(a, b, image);
     auto c = collide(pair.a, pair.b);
     if (c) {
-        if (const component_set wanted = fast_positions(*c, a, b, pair); wanted != 0) {
-            round_positions(*c, wanted, classify(pair.a, pair.b), a, b, periods, period);
+        if (const component_set wanted = positions_in_doubles(*c, a, b, pair); wanted != 0) {
+            round_positions(*c, wanted, classify(pair.a, pair.b), a, b, image);
         }
     }
     return c;

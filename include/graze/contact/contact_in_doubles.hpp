@@ -11,7 +11,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Component `number` of a contact, as parts count them.
+// Component `number` of a contact, as components.hpp counts them.
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] constexpr inline T& component(contact<N, T>& c, int number) noexcept {
     const int i = (number - 1) % 3;

@@ -58,6 +58,28 @@ constexpr void round_balls(contact<N, T>& c, component_set wanted, encounter wha
     }
 }
 
+// Rounds the wanted components of two movers in integers, `pair`, whose motion and positions are given at one instant,
+// from which `from` counts.
+template <class Contact, class Pair, class M, int N, class From>
+constexpr void round_movers(Contact& c, component_set wanted, encounter what, const Pair& pair, const M& motion,
+                            const vec<N, big_integer>& position_a, const vec<N, big_integer>& position_b,
+                            const big_integer (&masses)[2], const scales& units, const From& from) {
+    const exact_balls<N, M, big_integer, big_integer, big_integer> e{
+        motion, position_a, position_b, pair.a.state.velocity, pair.b.state.velocity, masses[0], masses[1]};
+    round_balls(c, wanted, what, e, units, from);
+}
+
+// Rounds the wanted positions of two centres that are there now.
+template <int N, class T, class I>
+constexpr void round_centres(contact<N, T>& c, component_set wanted, const vec<N, I>& position_a,
+                             const vec<N, I>& position_b, const scales& units) {
+    const auto rounded = [&](const I& x) { return round_to<T>(x, I(0), radicand<I>(), I(1), units.length); };
+    fill(c.position_a, wanted, contact_component::position_a, units.room,
+         [&](int i) { return rounded(position_a[i]); });
+    fill(c.position_b, wanted, contact_component::position_b, units.room,
+         [&](int i) { return rounded(position_b[i]); });
+}
+
 // Rounds the wanted components of the contact of two movers that meet, by integers. Of an overlap the caller sets the
 // time and the positions of those that start then.
 template <moving B, class Contact>
@@ -78,27 +100,14 @@ template <moving B, class Contact>
     const scales units{in.pair.length.exponent, in.pair.velocity.exponent, &room};
     const auto pair = flights_in(in);
     const auto round_all = [&](const auto& motion, const auto& position_a, const auto& position_b, const auto& from) {
-        const exact_balls<N, std::remove_cvref_t<decltype(motion)>, big_integer, big_integer, big_integer> e{
-            motion,
-            position_a,
-            position_b,
-            pair.a.state.velocity,
-            pair.b.state.velocity,
-            mass.template get<big_integer>(0),
-            mass.template get<big_integer>(1)};
-        round_balls(c, wanted, what, e, units, from);
+        const big_integer masses_in[2] = {mass.template get<big_integer>(0), mass.template get<big_integer>(1)};
+        round_movers(c, wanted, what, pair, motion, position_a, position_b, masses_in, units, from);
     };
     if constexpr (is_flight<B>) {
         const auto position_a = pair.position(pair.a);
         const auto position_b = pair.position(pair.b);
         if (what == encounter::overlap) {
-            const auto rounded = [&](const big_integer& coordinate) {
-                return round_to<T>(coordinate, big_integer(0), radicand<big_integer>(), big_integer(1), units.length);
-            };
-            fill(c.position_a, wanted, contact_component::position_a, &room,
-                 [&](int i) { return rounded(position_a[i]); });
-            fill(c.position_b, wanted, contact_component::position_b, &room,
-                 [&](int i) { return rounded(position_b[i]); });
+            round_centres(c, wanted, position_a, position_b, units);
         }
         round_all(pair.motion(), position_a, position_b, from_earlier<big_integer>{pair.start()});
     } else {

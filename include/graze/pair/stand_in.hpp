@@ -4,6 +4,7 @@
 #include <graze/exact/dyadic.hpp>
 #include <graze/machine/environment.hpp>
 #include <graze/machine/error_free.hpp>
+#include <graze/pair/image_shift.hpp>
 #include <graze/shape/flight.hpp>
 
 #include <array>
@@ -58,12 +59,11 @@ template <int N, class T>
 struct stand_ins {
     flight<N, T> a, b;
 
-    stand_ins(const flight<N, T>& x, const flight<N, T>& y, const std::array<std::int32_t, 3>& periods,
-              const vec<N, T>& period)
-        : a(x), b(y) {
+    stand_ins(const flight<N, T>& x, const flight<N, T>& y, const image_shift<N, T>& image) : a(x), b(y) {
         for (int i = 0; i < N; ++i) {
-            if (const std::int32_t count = periods[static_cast<std::size_t>(i)]; count != 0) {
-                const auto distance = difference_as_two(x.state.position[i], y.state.position[i], count, period[i]);
+            if (const std::int32_t count = image.periods[static_cast<std::size_t>(i)]; count != 0) {
+                const auto distance =
+                    difference_as_two(x.state.position[i], y.state.position[i], count, image.period[i]);
                 if (!distance) {
                     throw std::range_error("a coordinate is too small beside the period for an exact distance");
                 }

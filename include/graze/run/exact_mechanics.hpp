@@ -50,16 +50,16 @@ struct exact_mechanics {
     }
     [[nodiscard]] constexpr std::optional<time> meet(const state& a, const state& b,
                                                      const image_shift<N, T>& image) const {
-        const detail::stand_ins<N, T> pair(a, b, image.periods, image.period);
+        const detail::stand_ins<N, T> pair(a, b, image);
         return time_of_impact(pair.a, pair.b);
     }
     [[nodiscard]] time_bounds meet_until(const state& a, const state& b, const image_shift<N, T>& image,
                                          double latest) const {
-        const detail::enclosure found = detail::bounds_of_image(a, b, image.periods, image.period, latest);
+        const detail::enclosure found = detail::bounds_of_image(a, b, image, latest);
         return {found.lower(), found.upper()};
     }
     constexpr void bounce(state& a, state& b, const image_shift<N, T>& image, const time&) const {
-        const contact<N, T> c = *detail::collide_image(a, b, image.periods, image.period);
+        const contact<N, T> c = *detail::collide_image(a, b, image);
         leave(a, c.time, c.position_a, c.velocity_a);
         leave(b, c.time, c.position_b, c.velocity_b);
     }

@@ -74,11 +74,12 @@ requires requires(const W& w) { w.edge; }
     return nullptr;
 }
 
-template <class Part>
-void check_parts(std::span<const Part> pieces, const char* kind) {
+// fault(part): what is wrong with it, or nullptr.
+template <class Part, class Fault>
+void check_parts(std::span<const Part> pieces, const char* kind, Fault fault) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (const char* fault = fault_of(pieces[i])) {
-            reject((kind + std::to_string(i)).c_str(), fault);
+        if (const char* found = fault(pieces[i])) {
+            reject((kind + std::to_string(i)).c_str(), found);
         }
     }
 }
@@ -108,14 +109,14 @@ requires requires(const W& w) { w.edge; }
     }
     return length < T(high - low) ? "longer than the period" : nullptr;
 }
-template <class Part, class T>
-void check_parts_in_period(std::span<const Part> pieces, const char* kind, const T& length, int axis) {
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (const char* fault = fault_in_period(pieces[i], length, axis)) {
-            reject((kind + std::to_string(i)).c_str(), fault);
-        }
-    }
+template <int N, class T, class Fault>
+void check_all_parts(const scene<N, T>& s, Fault fault) {
+    check_parts(s.balls, "ball ", fault);
+    check_parts(s.planes, "plane ", fault);
+    check_parts(s.walls, "wall ", fault);
+    check_parts(triangles_of(s), "triangle ", fault);
 }
+
 template <int N, class T>
 [[nodiscard]] constexpr bool is_periodic(const scene<N, T>& s) {
     return !is_zero_vector(s.period);
@@ -137,10 +138,7 @@ void refuse_period(const scene<N, T>& s, const char* by) {
 // longer wall or triangle ("wall 2: longer than the period").
 template <int N, class T>
 void check(const scene<N, T>& s) {
-    detail::check_parts(s.balls, "ball ");
-    detail::check_parts(s.planes, "plane ");
-    detail::check_parts(s.walls, "wall ");
-    detail::check_parts(detail::triangles_of(s), "triangle ");
+    detail::check_all_parts(s, [](const auto& part) { return detail::fault_of(part); });
     const auto marks = detail::inner_edges_of(s);
     if (!marks.empty() && marks.size() != detail::triangles_of(s).size()) {
         detail::reject("inner_edges", "not one for each triangle");
@@ -155,10 +153,7 @@ void check(const scene<N, T>& s) {
             detail::reject("period", "not a finite number from 0 on");
         }
         if (graze::sign(s.period[i]) > 0) {
-            detail::check_parts_in_period(s.balls, "ball ", s.period[i], i);
-            detail::check_parts_in_period(s.planes, "plane ", s.period[i], i);
-            detail::check_parts_in_period(s.walls, "wall ", s.period[i], i);
-            detail::check_parts_in_period(detail::triangles_of(s), "triangle ", s.period[i], i);
+            detail::check_all_parts(s, [&](const auto& part) { return detail::fault_in_period(part, s.period[i], i); });
         }
     }
 }

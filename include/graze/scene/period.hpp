@@ -3,6 +3,7 @@
 
 #include <graze/linear/vec.hpp>
 #include <graze/number/traits.hpp>
+#include <graze/pair/image_shift.hpp>
 
 #include <array>
 #include <cmath>
@@ -11,18 +12,6 @@
 #include <stdexcept>
 
 namespace graze::inline v0_1 {
-
-// Where the image of something is: so many whole periods from the thing itself, along each axis.
-template <int N, class T>
-struct image_shift {
-    std::array<std::int32_t, 3> periods;
-    vec<N, T> period;
-
-    // In T's arithmetic.
-    [[nodiscard]] constexpr vec<N, T> distance() const {
-        return make_vec<N>([&](int i) { return T(T(periods[static_cast<std::size_t>(i)]) * period[i]); });
-    }
-};
 
 // Brings x into (-length/2, length/2], by the IEEE remainder of x by length > 0, exactly where T is a floating-point
 // type or subtracts exactly. Of two halves the upper one and of two zeros +0, so that nothing depends on the period in

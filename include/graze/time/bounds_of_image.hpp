@@ -15,14 +15,13 @@ namespace graze::inline v0_1::detail {
 // that one, which is outside at first, parts or is not reached until then, nothing is met.
 template <int N>
 [[nodiscard, gnu::flatten]] bool is_image_missed(const flight<N, double>& a, const flight<N, double>& b,
-                                                 const std::array<std::int32_t, 3>& periods,
-                                                 const vec<N, double>& period, double latest) {
+                                                 const image_shift<N, double>& image, double latest) {
     using constant = filter_of<flight<N, double>>;
     flight<N, double> wider = b;
     double magnitudes = b.state.radius;
     for (int i = 0; i < N; ++i) {
-        if (const std::int32_t count = periods[static_cast<std::size_t>(i)]; count != 0) {
-            const double by = count * period[i];
+        if (const std::int32_t count = image.periods[static_cast<std::size_t>(i)]; count != 0) {
+            const double by = count * image.period[i];
             magnitudes += std::fabs(b.state.position[i]) + std::fabs(by);
             wider.state.position.component[i] = b.state.position[i] + by;
         }
@@ -40,15 +39,14 @@ template <int N>
 
 // As bounds_until has them. Throws std::range_error where the distance is no difference of two T. [stand_ins]
 template <int N, class T>
-[[nodiscard]] enclosure bounds_of_image(const flight<N, T>& a, const flight<N, T>& b,
-                                        const std::array<std::int32_t, 3>& periods, const vec<N, T>& period,
+[[nodiscard]] enclosure bounds_of_image(const flight<N, T>& a, const flight<N, T>& b, const image_shift<N, T>& image,
                                         double latest) {
     if constexpr (std::same_as<T, double>) {
-        if (is_image_missed(a, b, periods, period, latest)) {
+        if (is_image_missed(a, b, image, latest)) {
             return {enclosure::unknown, 0};
         }
     }
-    const stand_ins<N, T> pair(a, b, periods, period);
+    const stand_ins<N, T> pair(a, b, image);
     return bounds_until(pair.a, pair.b, latest);
 }
 
