@@ -295,3 +295,33 @@ TEST_CASE("nothing is said of what was not run, or is not known") {
     truth.why = graze::ending::events;
     CHECK(first_mistake_of<2>(h, truth).what == mistake::invented);
 }
+
+TEST_CASE("images are met in a scene that has a period") {
+    // Two balls on a line of length 4 that come together at 0 and at 2 in turn.
+    const certified_result<2> line = proved(scene_of(R"({"dimension": 2, "period": [4, 0], "balls": [
+        {"position": [-1, 0], "velocity": [1, 0], "radius": "1/2"},
+        {"position": [9, 0], "velocity": [-1, 0], "radius": "1/2"}]})"),
+                                            {{}, 5});
+    CHECK(line.problem == "");
+    REQUIRE(line.events.size() == 5);
+    for (int i = 0; i < 5; ++i) {
+        CHECK(is(line.events[static_cast<std::size_t>(i)].time, exact(2 * i + 1, 2)));
+    }
+    // Whichever images are given, and however the balls meet, the events are the same.
+    const auto oblique = [](const char* third) {
+        return proved(scene_of(std::string(R"({"dimension": 2, "period": [5, "9/2"], "balls": [
+            {"position": [0, 0], "velocity": [1, "1/3"], "radius": "1/2"},
+            {"position": [2, 1], "velocity": ["-1/7", 1], "radius": "3/4"},
+            {"position": )") + third +
+                               R"(, "velocity": [0, "-2/3"], "radius": 1}]})"),
+                      {{}, 8});
+    };
+    const certified_result<2> found = oblique(R"([-2, "-3/2"])"), other = oblique(R"([13, "-21/2"])");
+    CHECK(found.problem == "");
+    REQUIRE(found.events.size() == 8);
+    REQUIRE(other.events.size() == 8);
+    for (std::size_t i = 0; i < 8; ++i) {
+        CHECK(found.events[i].who == other.events[i].who);
+        CHECK(!(found.events[i].time - other.events[i].time).certain_sign().value_or(0));
+    }
+}

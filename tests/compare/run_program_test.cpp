@@ -194,6 +194,17 @@ TEST_CASE("nothing collides") {
     CHECK(!holds(e.out, "right for"));
 }
 
+TEST_CASE("a scene that has a period is run, and said not to be checked in a second way") {
+    const bench here;
+    const ending e =
+        here.run("run " GRAZE_TEST_SCENES "/ring.json --collisions 5 --types double --timing 0 --json out.json");
+    INFO(e.out << e.err);
+    CHECK(e.code == 0);
+    CHECK(holds(e.out, "ring: 5 collisions until t = 4.5, every decision proved, not checked in a second way ("));
+    CHECK(holds(e.out, "double is right for all 5 collisions"));
+    CHECK(nlohmann::json::parse(content_of(here / "out.json"))["checked"] == false);
+}
+
 TEST_CASE("order between events that share no ball is nobody's mistake") {
     const bench here;
     const ending e =

@@ -82,6 +82,9 @@ class attempt {
             certain = false;
         } catch (const std::domain_error& error) {
             found.problem = error.what();
+        } catch (const std::range_error& error) { // in which period a ball is: narrower intervals may tell
+            found.problem = error.what();
+            certain = false;
         }
         const bool to_the_end = how_far_.until && found.problem.empty() &&
                                 (found.why == graze::ending::time || found.why == graze::ending::exhausted);

@@ -188,6 +188,7 @@ run_report report_of(const exact_scene<N>& scene, const run_options& o, const st
     const certified_result<N> proved = certified_run<N>(scene, o.how_far, wanted, line);
     run_report r;
     describe<N>(r, proved, o);
+    r.checked = !scene.is_periodic();
     true_sequence<N> truth = sequence_of<N>(proved, scene);
     if (o.distance) {
         truth.distance_of = static_cast<std::size_t>(*o.distance);
