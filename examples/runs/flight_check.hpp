@@ -34,7 +34,8 @@ class flight_check {
         const auto a = static_cast<std::size_t>(e.who.a);
         const double now = e.after_a.since;
         ++events_;
-        depth_allowed_ = 16 * std::sqrt(double{N}) * 0x1p-53 * (length_ + speed_ * now);
+        latest_ = std::max(latest_, now);
+        depth_allowed_ = 16 * std::sqrt(double{N}) * 0x1p-53 * (length_ + speed_ * latest_);
         if (e.who.with == graze::partner::ball) {
             const auto b = static_cast<std::size_t>(e.who.b);
             require_contact(distance(flights_[a], flights_[b], now) - (radius(a) + radius(b)));
@@ -49,6 +50,13 @@ class flight_check {
             replace(a, e.after_a);
         }
         return true;
+    }
+
+    // Times are counted from `by` on from now on.
+    void set_clock_back(double by) {
+        for (auto& f : flights_) {
+            f.since -= by; // exactly, says the run
+        }
     }
 
     [[nodiscard]] double deepest() const noexcept { return deepest_; }
@@ -123,6 +131,7 @@ class flight_check {
     std::vector<graze::plane<N>> planes_;
     double length_ = 0, speed_ = 0;
     double energy_ = 0, start_energy_ = 0, rounded_energy_ = 0;
+    double latest_ = 0; // of all times, as the clock had it
     double deepest_ = 0, depth_allowed_ = 0;
     std::uint64_t events_ = 0;
 };

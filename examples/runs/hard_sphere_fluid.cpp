@@ -16,13 +16,20 @@ int main(int argc, char** argv) {
     const graze::run_limits<double> limits{.events = events};
     const auto fluid = make_fluid<3>(500, 1);
 
+    // Times are kept below those in which a ball of mean speed crosses the box, and so as fine as positions.
     flight_check<3> check(fluid.scene(), 10);
-    const auto finished = run_exactly<3>(fluid.scene(), limits, std::ref(check));
+    constexpr double window = 4;
+    const auto finished = run_exactly<3>(fluid.scene(), limits, std::ref(check), graze::cells::where_useful,
+                                         {.by = window, .told = [&] { check.set_clock_back(window); }});
     const std::uint64_t hash = hash_of(finished.flights);
     std::cout << finished.outcome.events << " events, none missed, none invented, hash " << std::hex << hash << std::dec
               << '\n';
     if (check.energy_drift() > check.drift_allowed()) {
         std::cout << "energy is off by " << check.energy_drift() << ", allowed " << check.drift_allowed() << '\n';
+        return 1;
+    }
+    if (check.deepest() > 8 * 0x1p-49) { // units in the last place of the largest coordinate
+        std::cout << "two balls were " << check.deepest() << " deep in each other\n";
         return 1;
     }
     if (argc > 1) {
@@ -43,7 +50,7 @@ int main(int argc, char** argv) {
         for (std::size_t i = 0; i < order.size(); ++i) {
             permuted.balls[i] = fluid.balls[order[i]];
         }
-        const auto other = run_exactly<3>(permuted.scene(), limits);
+        const auto other = run_exactly<3>(permuted.scene(), limits, {}, graze::cells::where_useful, {.by = window});
         std::vector<graze::flight<3>> flights(order.size());
         for (std::size_t i = 0; i < order.size(); ++i) {
             flights[order[i]] = other.flights[i];

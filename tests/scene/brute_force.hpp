@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace brute_force {
@@ -104,6 +105,17 @@ class simulator {
 
     [[nodiscard]] const graze::flight<N>& operator[](int ball) const {
         return flights_[static_cast<std::size_t>(ball)];
+    }
+
+    // Times are counted from `by` on from now on.
+    void set_clock_back(double by) {
+        for (auto& f : flights_) {
+            const real since = exactly(f.since) - by;
+            f.since = since.get_d();
+            if (since != f.since) {
+                throw std::runtime_error("a clock was set back that cannot be, exactly");
+            }
+        }
     }
 
     // Does the next event if there is one before `end`. is_clear: whether no other one is nearly as early.

@@ -245,6 +245,28 @@ TEST_CASE("events of exactly the time asked for are done, and a later call goes 
     CHECK(run.advance({.events = 1}).events == 1);
 }
 
+TEST_CASE("a clock is set back where every time stays exact, and between instants") {
+    const balls two = {{{{3, 0}}, {{-1, 0}}, 1, 1}, {{{4, 5}}, {{-1, 0}}, 2, 1}};
+    const planes ends = {{{{0, 0}}, {{1, 0}}}, {{{10, 0}}, {{1, 0}}}};
+    graze::run<plain> run(graze::scene<2>{two, ends, {}});
+    CHECK(run.advance({.events = 1}).events == 1); // one of two at 2
+    CHECK_FALSE(run.set_clock_back(2));
+    CHECK(run.advance({.time = 3}).events == 1);
+    CHECK_FALSE(run.set_clock_back(0x1p-60));
+    CHECK(run.in_flight(0).since == 2);
+    CHECK(run.set_clock_back(3)); // what has been looked at is predicted anew
+    CHECK(run.in_flight(0).since == -1);
+    CHECK(run.in_flight(1).since == -1);
+    const auto later = run.advance({.time = 5}, [](const graze::run_event<plain>& e) { // at 8 of the clock before
+        CHECK(e.who == graze::scene_pair{graze::partner::plane, 1, 1});
+        CHECK(e.when == 5);
+    });
+    CHECK(later.events == 1);
+    CHECK(run.advance({.time = 7}).events == 1); // and at 10
+    CHECK(run.in_flight(0).since == 7);
+    CHECK(run.in_flight(0).state.position == graze::vec<2, double>{9, 0});
+}
+
 TEST_CASE("other states are checked, and a run goes on from them as from a start") {
     const balls two = {{{{0, 0}}, {{1, 0}}, 1, 1}, {{{9, 0}}, {{-1, 0}}, 1, 1}, {{{-9, 5}}, {{1, 0}}, 1, infinite}};
     const planes upright = {{{{0, 0}}, {{1, 0}}}};

@@ -106,6 +106,15 @@ struct exact_mechanics {
                 static_cast<double>(a.since)};
     }
 
+    [[nodiscard]] bool set_back(state& a, const T& by) const {
+        const T since = a.since - by;
+        if (!detail::is_finite_input(since) || !(dyadic(since) == dyadic(a.since) - dyadic(by))) {
+            return false;
+        }
+        a.since = since;
+        return true;
+    }
+
     [[nodiscard]] exact as_exact(const T& x) const { return exact(x); }
 
     [[nodiscard]] constexpr bool immovable(const state& a) const { return detail::is_infinite_mass(a.state.mass); }

@@ -41,6 +41,11 @@ class jam_watch {
         c.since = now;
         return is_jam;
     }
+    void set_clock_back(double by) noexcept {
+        for (count& c : counts_) {
+            c.since -= by;
+        }
+    }
     // Ball a and those with which its last events were.
     [[nodiscard]] jammed_bodies around(body a) const noexcept {
         jammed_bodies all{a};

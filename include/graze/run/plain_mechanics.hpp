@@ -120,6 +120,16 @@ struct plain_mechanics {
                 as_double(a.since)};
     }
 
+    // Exact where each of the three numbers is the sum or difference of the others.
+    [[nodiscard]] constexpr bool set_back(state& a, const T& by) const {
+        const T since = T(a.since - by);
+        if (order(T(since + by), a.since) != 0 || order(T(a.since - since), by) != 0) {
+            return false;
+        }
+        a.since = since;
+        return true;
+    }
+
     [[nodiscard]] constexpr T as_exact(const T& x) const { return x; }
 
     [[nodiscard]] constexpr bool immovable(const state& a) const { return graze::sign(T(T(1) / a.state.mass)) == 0; }

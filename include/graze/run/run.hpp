@@ -6,9 +6,7 @@
 #include <graze/run/run_steps.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <string>
 
@@ -51,11 +49,7 @@ class run {
     // says that the time limit is NaN, and whatever M throws.
     template <class Observer = ignore_event>
     outcome advance(const run_limits<number>& limits, Observer&& observer = {}) {
-        if (limits.time && graze::sign(*limits.time) == 0 && !detail::is_finite_number(*limits.time)) {
-            throw std::domain_error("the time limit is not a number");
-        }
-        constexpr double never = std::numeric_limits<double>::max();
-        const double until = limits.time ? std::min(never, detail::not_before<M>(rules(), *limits.time)) : never;
+        const double until = detail::end_of(rules(), limits.time);
         outcome done{ending::events};
         const std::uint64_t patience =
             limits.cascade != 0 ? limits.cascade : 1000 + 100 * std::uint64_t{scene().balls()};
@@ -99,7 +93,8 @@ class run {
                 done.why = ending::stopped;
                 return done;
             }
-            if (const body stuck = jammed(a, b, limits.jam != 0 ? limits.jam : 10000); stuck != detail::no_body) {
+            if (const body stuck = detail::jammed(scene(), jams_, a, b, now_, limits.jam != 0 ? limits.jam : 10000);
+                stuck != detail::no_body) {
                 if (!limits.stop_jams) {
                     return ended_by(jams_.around(stuck), done);
                 }
@@ -133,13 +128,27 @@ class run {
             }
             changed.forecast_.scene().restate(a, std::move(other));
         }
-        changed.simultaneous_.clear();
-        changed.grazed_.clear();
-        changed.next_ = 0;
-        changed.still_ = 0;
         changed.jams_ = detail::jam_watch(scene().balls());
-        changed.forecast_.predict_all(changed.now_);
+        changed.predict_anew();
         *this = std::move(changed);
+    }
+
+    // Counts time from `by` on: `since` of every ball becomes since - by, and limits and events are in that clock from
+    // now on. A time is rounded as finely as it is small, so a long run stays as fine as at its start if its clock is
+    // set back whenever it has come to twice a `by`. Nothing else changes. Returns false, and the run is as it was,
+    // where a since would not be exact (as long as some ball has had no event in the later half, in general), and while
+    // some events of the present time are done and others are not: try again some events later.
+    [[nodiscard]] bool set_clock_back(const number& by) requires mechanics_of_clocks<M> {
+        run changed(*this);
+        if ((next_ != 0 && next_ != simultaneous_.size()) || !detail::set_clocks_back(changed.forecast_.scene(), by)) {
+            return false;
+        }
+        const double about = detail::not_before<M>(rules(), by);
+        changed.now_ = std::nextafter(now_ - about, std::numeric_limits<double>::lowest());
+        changed.jams_.set_clock_back(about);
+        changed.predict_anew();
+        *this = std::move(changed);
+        return true;
     }
 
   private:
@@ -147,11 +156,13 @@ class run {
 
     [[nodiscard]] const detail::moving_scene<M>& scene() const noexcept { return forecast_.scene(); }
 
-    // Which of the two that have just met is jammed, or no_body. Mirrors are not: nothing holds them.
-    [[nodiscard]] body jammed(body a, body b, std::uint64_t most) noexcept {
-        const bool first = !scene()[a].immovable && jams_.note(a, b, now_, most);
-        const bool second = b < scene().balls() && !scene()[b].immovable && jams_.note(b, a, now_, most);
-        return first ? a : second ? b : detail::no_body;
+    void predict_anew() {
+        simultaneous_.clear();
+        grazed_.clear();
+        next_ = 0;
+        still_ = 0;
+        still_until_ = std::numeric_limits<double>::lowest();
+        forecast_.predict_all(now_);
     }
     [[nodiscard]] outcome ended_by(const detail::jammed_bodies& jam, outcome& done) const {
         detail::name_jam(scene(), jam, done);
@@ -218,12 +229,7 @@ class run {
                                 two ? &before_b.ball.state : nullptr,
                                 two ? &scene()[b].state : nullptr,
                                 d.chosen};
-        if constexpr (std::is_void_v<decltype(observer(told))>) {
-            observer(told);
-            return true;
-        } else {
-            return static_cast<bool>(observer(told));
-        }
+        return detail::tell(observer, told);
     }
     detail::forecast<M> forecast_;
     std::vector<body> place_; // of a ball, by the scene's index

@@ -51,6 +51,27 @@ template <mechanics M>
     return near + std::fabs(near) * 0x1p-49 + std::numeric_limits<double>::min();
 }
 
+// A double that is not before a time limit. Throws std::domain_error if that is not a number.
+template <mechanics M>
+[[nodiscard]] double end_of(const M& rules, const std::optional<typename M::number>& limit) {
+    if (limit && graze::sign(*limit) == 0 && !is_finite_number(*limit)) {
+        throw std::domain_error("the time limit is not a number");
+    }
+    constexpr double never = std::numeric_limits<double>::max();
+    return limit ? std::min(never, not_before<M>(rules, *limit)) : never;
+}
+
+// Sets the clocks of all balls back, until one cannot be.
+template <mechanics M>
+[[nodiscard]] bool set_clocks_back(moving_scene<M>& scene, const typename M::number& by) {
+    for (body a = 0; a < scene.balls(); ++a) {
+        if (!scene.rules().set_back(scene[a].state, by)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 // Whether an event is after that time.
 template <mechanics M>
 [[nodiscard]] bool is_after(const moving_scene<M>& scene, const timed_event<typename M::time>& d,
@@ -70,6 +91,26 @@ template <mechanics M>
     message << to_string(scene.named(d.what.a, d.what.b))
             << ": both masses are infinite, and they meet at about t = " << scene.rules().bounds(d.when).lower;
     throw std::domain_error(message.str());
+}
+
+// Whether the run goes on.
+template <class Observer, class Event>
+[[nodiscard]] bool tell(Observer& observer, const Event& told) {
+    if constexpr (std::is_void_v<decltype(observer(told))>) {
+        observer(told);
+        return true;
+    } else {
+        return static_cast<bool>(observer(told));
+    }
+}
+
+// Which of the two that have just met is jammed, or no_body. Mirrors are not: nothing holds them.
+template <mechanics M>
+[[nodiscard]] body jammed(const moving_scene<M>& scene, jam_watch& jams, body a, body b, double now,
+                          std::uint64_t most) noexcept {
+    const bool first = !scene[a].immovable && jams.note(a, b, now, most);
+    const bool second = b < scene.balls() && !scene[b].immovable && jams.note(b, a, now, most);
+    return first ? a : second ? b : no_body;
 }
 
 // Names those of a jam that have not been named.

@@ -123,6 +123,13 @@ concept mechanics_of_triangles = M::dimension == 3 &&
     { m.feature(a, s) } -> std::same_as<wall_encounter>;
 };
 
+// set_back: counts a ball's time since from `by` on. False, and nothing changes, where that is no number of the
+// state's.
+template <class M>
+concept mechanics_of_clocks = requires(const M& m, typename M::state& changed, const typename M::number& by) {
+    { m.set_back(changed, by) } -> std::same_as<bool>;
+};
+
 // The questions of scenes that have a period. An image is that of the second ball, or of a wall. [image_shift]
 //   wrap       brings a ball's position to within half a period of 0 along each axis of period L > 0, or near it, and
 //              returns how many periods it has taken from it: so many and the position are what it was, exactly
