@@ -157,7 +157,8 @@ std::vector<std::optional<score>> measure(const trial& t, const std::vector<entr
                 s->row.nanoseconds_low = taken.low;
                 s->row.nanoseconds_high = taken.high;
                 s->row.timed_pairs = taken.pairs;
-                s->row.repeats = taken.repeats;
+                s->row.repeats = taken.repeated.size();
+                s->row.repeated = taken.repeated;
             }
         }
     }

@@ -8,12 +8,99 @@
 #endif
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace peers {
 
 namespace {
 
-// A box or an edge is met when the first of its walls is.
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// A ball and the slab of a wall of a box: what is as near as r to the wall's plane, which is across an axis. reached:
+// no later than the ball is there, and so no later than it touches the wall; the roundings are less than 2^-50 of
+// `height`.
+struct slab {
+    double height, speed, reached;
+
+    slab(double x, double plane, double u, double r) : height(std::fabs(x - plane)), speed(std::fabs(u)), reached(0) {
+        const double gap = height * (1 - 0x1p-50) - r;
+        if (gap > 0) {
+            reached = (x < plane) == (u > 0) && speed > 0 ? gap / speed * (1 - 0x1p-50) : never;
+        }
+    }
+};
+
+// When a ball first touches a box, 2N walls across the axes, two an axis.
+//
+// Nothing of the box is met before the last of the slabs is reached. Of that one the wall on the ball's side is asked
+// first. If the centre is inside of the box by then along an axis, the walls across that axis are not touched first;
+// so a ball that comes down on a side takes one question. No wall is asked whose slab is reached after the best hit so
+// far, and no time rounded that is later than that.
+template <int N>
+class box_question {
+  public:
+    box_question(const graze::ball<N>& b, const std::vector<graze::wall<N>>& walls) : b_(b), walls_(walls) {}
+
+    [[nodiscard]] std::optional<double> operator()() {
+        int last = 0;
+        std::array<std::size_t, N> near{};
+        std::array<double, N> reached{};
+        for (int i = 0; i < N; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            near[at] = 2 * at + (b_.position[i] > walls_[2 * at + 1].corner[i] ? 1 : 0);
+            const bool is_beside = b_.position[i] < walls_[2 * at].corner[i] || near[at] % 2 == 1;
+            reached[at] = is_beside ? slab_of(near[at]).reached : 0;
+            last = reached[at] > reached[static_cast<std::size_t>(last)] ? i : last;
+        }
+        const double time = reached[static_cast<std::size_t>(last)];
+        if (time == never) {
+            return std::nullopt;
+        }
+        if (time > 0) {
+            ask(near[static_cast<std::size_t>(last)]);
+        }
+        for (int i = 0; i < N; ++i) {
+            if (time == 0 || (i != last && !is_inside(i, near[static_cast<std::size_t>(last)], time))) {
+                ask(2 * static_cast<std::size_t>(i));
+                ask(2 * static_cast<std::size_t>(i) + 1);
+            }
+        }
+        return first_ < never ? std::optional(first_) : std::nullopt;
+    }
+
+  private:
+    [[nodiscard]] slab slab_of(std::size_t wall) const {
+        const int i = static_cast<int>(wall / 2);
+        return {b_.position[i], walls_[wall].corner[i], b_.velocity[i], b_.radius};
+    }
+    // Whether the centre is certainly inside along axis i when the slab of a wall is reached, near `time`.
+    [[nodiscard]] bool is_inside(int i, std::size_t wall, double time) const {
+        const auto at = static_cast<std::size_t>(i);
+        const double low = walls_[2 * at].corner[i], high = walls_[2 * at + 1].corner[i];
+        const double x = b_.position[i], u = b_.velocity[i], there = x + u * time;
+        const slab s = slab_of(wall);
+        const double off =
+            0x1p-40 * (std::fabs(x) + std::fabs(low) + std::fabs(high) + std::fabs(u) * (time + s.height / s.speed));
+        return low + off < there && there < high - off;
+    }
+    void ask(std::size_t wall) {
+        const double reached = slab_of(wall).reached;
+        if (reached == never || reached > first_) {
+            return;
+        }
+        const auto time = graze::time_of_impact(b_, walls_[wall]);
+        if (time && time->enclosure().lower() <= first_) {
+            first_ = std::min(first_, static_cast<double>(*time)); // rounding keeps the order of times
+        }
+    }
+
+    const graze::ball<N>& b_;
+    const std::vector<graze::wall<N>>& walls_;
+    double first_ = never;
+};
+
 template <int N>
 class graze_contestant final : public contestant {
   public:
@@ -21,19 +108,12 @@ class graze_contestant final : public contestant {
 
     [[nodiscard]] std::optional<double> answer(std::size_t i) const override {
         const scene<N>& s = scenes_.all[i];
-        if (s.walls.empty()) {
-            const auto time = graze::time_of_impact(s.a, s.b);
+        const auto rounded = [](const auto& time) {
             return time ? std::optional(static_cast<double>(*time)) : std::nullopt;
-        }
-        std::optional<double> first; // rounding keeps the order: the first of the rounded times is the rounded first
-        for (const auto& w : s.walls) {
-            const auto time = graze::time_of_impact(s.a, w);
-            if (time && !(first && time->enclosure().lower() > *first)) {
-                const auto rounded = static_cast<double>(*time);
-                first = first ? std::min(*first, rounded) : rounded;
-            }
-        }
-        return first;
+        };
+        return s.walls.empty()       ? rounded(graze::time_of_impact(s.a, s.b))
+               : s.walls.size() == 1 ? rounded(graze::time_of_impact(s.a, s.walls.front()))
+                                     : box_question<N>(s.a, s.walls)();
     }
 
   private:
