@@ -41,10 +41,11 @@ static_assert((squared_norm(cross(moved<3>(), edge())) - square_of_radius * squa
 
 // The root. n·n = s + l, |l| <= low u N² and off by error u² N². With √s = ρ (1 + δ), |δ| <= u, and κ = N/|n| >= 1 the
 // correction (s - ρ² + l)/2ρ leaves (s - ρ² + l)²/8ρ³, half the error of n·n over |n|, and the roundings of its
-// numerator, three of at most (2 + low κ²) u |n|², and of the quotient: of u² N κ³ at most
+// numerator, three of at most (2 + low κ²) u |n|². Taken as (s - ρ² + l)/2 · (ρ · 1/s) it is off by three more
+// roundings, each half as much, and by ρ²/s, a part 2u. All that is of u² N κ³ at most
 constexpr double of_root(const word& square) {
     const double rest = 2 + square.low; // (s - ρ² + l)/u|n|², over κ²
-    return rest * rest / 8 + square.error / 2 + 2 * rest;
+    return rest * rest / 8 + square.error / 2 + 4 * rest;
 }
 static_assert(1.01 * 0x1p-106 * of_root(squared_norm(normal())) < taken);
 

@@ -53,14 +53,14 @@ struct own_clock {
     }
 };
 
-// Fills in the components of which doubles and double words are certain, for a pair that meets near `time` if that is
+// Fills in the components of which doubles and double words are certain, for a pair that hits near `time` if that is
 // not 0.
 template <class P, int N, class T, class Shape, class Clock>
 [[nodiscard]] component_set contact_by_words(P pair, wall_contact<N, T>& c, encounter what, int index,
                                              const ball<N, T>& b, const Shape& shape, double time,
                                              const Clock& clock) noexcept {
     component_set wanted = all_components;
-    if (time > 0) {
+    if (time > 0 || (std::is_same_v<Clock, own_clock> && what == encounter::overlap && c.feature == feature::face)) {
         const auto row = packed<P>(b, shape);
         const auto kind = kind_of<N>(pair, c.feature);
         wanted = with_best_products(flat_contact_near<N, T, Clock>{&c, kind, index, row.data(), time, &clock});

@@ -1,37 +1,50 @@
-// The contact of a ball that hits a plane or a face, from its touch in parts, each component with an error.
+// The contact of a ball that hits a plane or a face, or overlaps it, from its touch in parts, each component with an
+// error.
 //
 // With the notation of time/flat_steps.hpp: κ = N/|n| >= 1, and |n| is right to 2^-97 κ⁴ of itself. The normal n/|n| is
-// then right to 2^-96 κ⁴; u·n/|n| to 2^-96 V κ⁴, V = Σ|u_i|, and the velocity u - 2 (u·n/|n|) n/|n| to 2^-94 V κ⁴.
+// then right to 2^-96 κ⁴; u·n/|n| to 2^-96 V κ⁴, V = Σ|u_i|, and the velocity u - 2 (u·n/|n|) n/|n| to 2^-94 V κ⁴. Of
+// an overlap the point is x - (w·n/n·n) n. With W = Σ|w_i| the height w·n is off by 2^-97 W N, which n/n·n makes 2^-97
+// W κ; n·n is right to 2^-100 κ² of itself, its inverse to 2^-100 more and the products to some u²: 2^-95 W κ² in all.
 #pragma once
 
 #include <graze/contact/path_in_parts.hpp>
 
+#include <cmath>
+
 namespace graze::inline v0_1::detail {
 
-// A plane or a face.
+// A plane or a face. from: w of an overlap, else nothing.
 template <bool Fused, int N, class T>
 [[gnu::always_inline]] inline void take_face_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
-                                                     const face_touch<N>& touch, double V) noexcept {
+                                                     const face_touch<N>& touch, double V,
+                                                     const parts_vector<N>* from) noexcept {
     const auto& f = path.f;
     const auto& n = touch.n;
     const auto per_length = inverse_in_parts<Fused>({touch.length.high, touch.length.low});
     const auto phi = product_in_parts<Fused>({2 * touch.speed.value, 2 * touch.speed.error}, per_length);
     const double spread2 = touch.length.spread * touch.length.spread;
     const double normal_error = 0x1p-96 * (spread2 * spread2);
-    const bool below = touch.speed.value > 0; // the normal points to where the ball comes from
+    const double side = std::copysign(1.0, -touch.speed.value); // the normal points to where the ball comes from
     int zeros = 0;
     for (int i = 0; i < N; ++i) {
         zeros += is_exact_zero(n[i]) ? 1 : 0;
     }
     const bool known_zeros = zeros == 0 || has_no_tiny_edge(f);
+    exact_pair<double> along{};
+    if (from != nullptr) {
+        along = product_in_parts<Fused>(dot_in_parts<Fused, N>(*from, n),
+                                        inverse_in_parts<Fused>(dot_in_parts<Fused, N>(n, n)));
+    }
     for (int i = 0; i < N; ++i) {
         const auto s = path.at(i);
         const int at_point = static_cast<int>(wall_component::point) + i;
         const int at_normal = static_cast<int>(wall_component::normal) + i;
         const int at_velocity = static_cast<int>(wall_component::velocity) + i;
         const bool is_axis = known_zeros && zeros == N - 1 && !is_exact_zero(n[i]);
-        if (is_axis) {
-            path.take.sum(f.corner[i], below != (n[i].value < 0) ? -f.r : f.r,
+        if (from != nullptr) {
+            path.take.exact(f.x[i], static_cast<int>(wall_component::position) + i, c.position[i]);
+        } else if (is_axis) {
+            path.take.sum(f.corner[i], side * std::copysign(f.r, n[i].value),
                           static_cast<int>(wall_component::position) + i, c.position[i]);
         } else {
             path.take_position(s, i, wall_component::position, c.position[i]);
@@ -43,14 +56,16 @@ template <bool Fused, int N, class T>
             continue;
         }
         const auto unit = product_in_parts<Fused>(n[i], per_length);
-        path.take({below ? -unit.value : unit.value, below ? -unit.error : unit.error, normal_error}, at_normal,
-                  c.normal[i]);
+        path.take({side * unit.value, side * unit.error, normal_error}, at_normal, c.normal[i]);
         const auto velocity = sum_in_parts({f.u[i], 0}, negated(product_in_parts<Fused>(phi, unit)));
         path.take({velocity.value, velocity.error, 4 * V * normal_error}, at_velocity, c.velocity[i]);
         if (is_axis) {
             path.take.exact(f.corner[i], at_point, c.point[i]);
+        } else if (from != nullptr) {
+            const auto point = sum_in_parts({f.x[i], 0}, negated(product_in_parts<Fused>(along, n[i])));
+            path.take({point.value, point.error, s.size + 0x1p-95 * (from->size * spread2)}, at_point, c.point[i]);
         } else {
-            const auto reach = product_in_parts<Fused>({below ? -f.r : f.r, 0}, unit);
+            const auto reach = product_in_parts<Fused>({side * f.r, 0}, unit);
             const auto point = sum_in_parts(s.position, negated(reach));
             path.take({point.value, point.error, s.error + s.size + f.r * (2 * normal_error)}, at_point, c.point[i]);
         }
@@ -125,8 +140,8 @@ template <bool Fused, int N, class T>
     }
 }
 
-// Fills in what is certain of a hit near `time` and returns what is open; all is if nothing is known. clock(τ): the
-// time that is wanted.
+// Fills in what is certain of a hit near `time`, or at 0 of an overlap with a plane or a face, and returns what is
+// open; all is if nothing is known. clock(τ): the time that is wanted; of an overlap it is 0.
 template <int N, class T, class Clock>
 struct flat_contact_near {
     wall_contact<N, T>* c;
@@ -147,12 +162,19 @@ struct flat_contact_near {
         certain_components<N, T> take;
         if (kind == event_kind::plane || kind == event_kind::face) {
             const auto from = difference_in_parts<N>(f.x, f.corner);
-            const auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(kind, f), f.r, time);
-            if (!(touch.time.good && are_moderate(size, V, touch.n.size, time))) [[unlikely]] {
+            auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(kind, f), f.r, time);
+            if (time == 0) {
+                touch.time = {0, 0, 0,
+                              touch.length.spread < 0x1p8 && absolute(touch.speed.value) > 0x1p-32 * V * touch.n.size};
+                take.exact(0, 0, c->time);
+            }
+            if (!(touch.time.good && are_moderate(size, V, touch.n.size, time == 0 ? 1.0 : time))) [[unlikely]] {
                 return all_components;
             }
-            take((*clock)(touch.time.bounds()), 0, c->time);
-            take_face_contact<Fused, N, T>(*c, {f, touch.time, take}, touch, V);
+            if (time != 0) {
+                take((*clock)(touch.time.bounds()), 0, c->time);
+            }
+            take_face_contact<Fused, N, T>(*c, {f, touch.time, take}, touch, V, time == 0 ? &from : nullptr);
             return take.open_components();
         }
         const bool is_edge = N == 3 && kind == event_kind::edge;

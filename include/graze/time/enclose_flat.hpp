@@ -13,6 +13,7 @@ namespace graze::inline v0_1::detail {
 //
 // u = 2^-52, in any rounding mode, contracted or not. gap = |w·n| - r|n| is off by error_height + r error_length and
 // the roundings of r|n| and of the difference, u r|n| + u gap. The quotient t̂ is checked: |t̂ |u·n| - gap| <= 2^-50 gap.
+// (Three roundings leave 3/4 of that.)
 // With e = error_speed <= |u·n|/8 the time is within
 //   (error_height + r error_length + u r|n| + 2^-49 gap + t̂ e)/(|u·n| - e) <= 8/7 (... )/|u·n|,
 // in which 2^-49 gap <= 2^-48 t̂ |u·n|; 3/2 of all but this term, and 2^-47 t̂, cover the roundings of the expression
@@ -22,13 +23,14 @@ namespace graze::inline v0_1::detail {
     const double rate = std::fabs(speed);
     const double reach = r * length;
     const double gap = settled(std::fabs(height) - reach);
-    const double time = settled(gap / rate);
+    const double per_rate = 1 / rate;
+    const double time = settled(gap * per_rate);
     const bool good = std::fabs(time * rate - gap) <= 0x1p-50 * gap && rate > 8 * error_speed && gap > 0;
     if (!good) {
         return {};
     }
     const double off = error_height + r * error_length + 0x1p-52 * reach + time * error_speed;
-    return {time, 1.5 * off / rate + 0x1p-47 * time};
+    return {time, 1.5 * off * per_rate + 0x1p-47 * time};
 }
 
 // The same, of a ball that does not touch now but is certain to, from what is known of the plane.

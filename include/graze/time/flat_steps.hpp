@@ -8,10 +8,12 @@
 
 #include <graze/linear/vec.hpp>
 #include <graze/machine/error_free.hpp>
+#include <graze/machine/fence.hpp>
 #include <graze/machine/lanes.hpp>
 #include <graze/time/certain_rounding.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace graze::inline v0_1::detail {
 
@@ -27,12 +29,14 @@ struct parts_vector {
 };
 template <int N, class F>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> make_parts(F f) noexcept {
-    parts_vector<N> r;
-    r.size = 0;
-    for (int i = 0; i < N; ++i) {
-        r.component[i] = f(i, r.size);
+    double size = 0;
+    if constexpr (N == 2) {
+        const auto x = f(0, size), y = f(1, size);
+        return {{x, y}, size};
+    } else {
+        const auto x = f(0, size), y = f(1, size), z = f(2, size);
+        return {{x, y, z}, size};
     }
-    return r;
 }
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> exact_components(const vec<N, double>& x) noexcept {
@@ -121,17 +125,18 @@ struct flat_time {
     [[nodiscard]] bounded<double> bounds() const noexcept { return {high, low, error}; }
 };
 
-// t + rest/rate, rest to an error of at most `off`, the rate to a part `spread` of it.
-[[nodiscard, gnu::always_inline]] inline flat_time stepped(double t, double rest, double off, double rate,
+// t + rest/rate, rest to an error of at most `off`, the rate to a part `spread` of it. per_rate: 1/rate.
+[[nodiscard, gnu::always_inline]] inline flat_time stepped(double t, double rest, double off, double per_rate,
                                                            double spread) noexcept {
-    const double step = rest / rate;
+    const double step = rest * per_rate;
     const auto sum = fast_two_sum(t, step);
-    return {sum.value, sum.error, 1.01 * (off / rate + absolute(step) * (spread + 0x1p-50)),
+    return {sum.value, sum.error, 1.01 * (off * per_rate + absolute(step) * (spread + 0x1p-50)),
             absolute(step) < 0x1p-16 * t && spread < 0x1p-16};
 }
 
 // √square for a square in parts, the square of something of at most `size`: with κ = size/√square the root of the
-// leading part and one correction leave at most 2^-97 size κ³.
+// leading part and one correction leave at most 2^-97 size κ³. 1/√square as √square/square: no quotient waits for the
+// root.
 struct parts_root {
     double high, low, spread; // spread: κ
 };
@@ -139,9 +144,10 @@ template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline parts_root root_in_parts(const exact_pair<double>& square,
                                                                   double size) noexcept {
     const double root = settled(plain_sqrt(square.value));
+    const double per_root = root * (1 / square.value);
     const auto back = two_square(as_factor<Fused>(root));
     const double rest = settled(settled(square.value - back.value) - back.error) + square.error;
-    return {root, 0.5 * rest / root, size / root};
+    return {root, 0.5 * rest * per_root, size * per_root};
 }
 
 // A plane or face. τ = t + ρ/|u·n|, ρ = σ y·n - r|n|, exactly, since distances from a plane are linear.
@@ -163,11 +169,12 @@ template <bool Fused, int N>
     const auto y = moved<Fused, N>(from, u, t);
     const auto height = dot_in_parts<Fused, N>(y, n);
     const auto reach = product_in_parts<Fused>({r, 0}, {f.length.high, f.length.low});
-    const auto rest = sum_in_parts(f.speed.value > 0 ? negated(height) : height, negated(reach)); // it approaches
+    const double side = std::copysign(1.0, -f.speed.value); // it approaches; no branch, since that is as good as random
+    const auto rest = sum_in_parts({side * height.value, side * height.error}, negated(reach));
     const double k = f.length.spread;
     const double off = 0x1p-97 * n.size * (y.size + r * (k * k * k));
-    const double rate = absolute(f.speed.value);
-    f.time = stepped(t, rest.value + rest.error, off, rate, 0x1p-48 * (velocity.size * n.size) / rate);
+    const double per_rate = 1 / absolute(f.speed.value);
+    f.time = stepped(t, rest.value + rest.error, off, per_rate, 0x1p-48 * (velocity.size * n.size) * per_rate);
     f.time.good = f.time.good && k < 0x1p8;
     return f;
 }
@@ -187,9 +194,10 @@ template <bool Fused, int N>
     }
     const double value = rest.value + rest.error;
     const double off = 0x1p-97 * (z.size * z.size + reach2_size);
-    flat_time r = stepped(t, 0.5 * value, off, h, 0x1p-48 * (z.size * size) / h);
-    const double step = 0.5 * value / h;
-    r.error += 1.01 * (a * step * step) / h;
+    const double per_h = 1 / h;
+    flat_time r = stepped(t, 0.5 * value, off, per_h, 0x1p-48 * (z.size * size) * per_h);
+    const double step = 0.5 * value * per_h;
+    r.error += 1.01 * (a * step * step) * per_h;
     r.good = r.good && a * absolute(step) < 0x1p-8 * h;
     return r;
 }

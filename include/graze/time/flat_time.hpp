@@ -27,9 +27,12 @@ struct flat_row {
     [[gnu::always_inline]] flat_row(event_kind kind, const T* row) noexcept {
         using P = ball_and_wall<N>;
         using Q = ball_and_plane<N>;
+        // Alone: a load of several would wait until the stores of each are in the cache, if the row has just been
+        // written.
         const auto vector = [&](std::size_t from) {
-            return make_vec<N>(
-                [&](int i) { return static_cast<double>(as_stored(row[from + static_cast<unsigned>(i)])); });
+            return make_vec<N>([&](int i) {
+                return read_alone(static_cast<double>(as_stored(row[from + static_cast<unsigned>(i)])));
+            });
         };
         constexpr std::size_t n = N;
         const bool is_plane = kind == event_kind::plane;
@@ -87,28 +90,29 @@ struct flat_time_near {
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] flat_time operator()(std::bool_constant<Fused>) const noexcept {
         const flat_row<N> f(e->kind, e->row.data());
-        flat_time r{};
-        double size = 1; // of what has no size of its own
         const bool is_edge = e->kind == event_kind::edge;
         const int corner = e->kind == event_kind::corner ? e->index : is_edge ? edge_view(e->index).corner : 0;
         const auto from = centre_in_parts(f, corner);
-        if (e->kind == event_kind::corner) {
-            r = touch_corner<Fused, N>(from, f.u, f.r, time);
-        } else if (!is_edge) {
-            const auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(e->kind, f), f.r, time);
-            r = touch.time;
-            size = touch.n.size;
-        } else if constexpr (N == 3) {
-            const auto d = edge_in_parts<3>(f, e->index);
-            r = touch_edge<Fused>(from, f.u, d, f.r, time);
-            size = d.size;
-        }
         double speed = 0;
         for (int i = 0; i < N; ++i) {
             speed += absolute(f.u[i]);
         }
-        r.good = r.good && are_moderate(from.size + f.r, speed, size, time);
-        return r;
+        // size: of the normal or the direction, where there is one.
+        const auto checked = [&](const flat_time& t, double size) noexcept {
+            return flat_time{t.high, t.low, t.error,
+                             all_hold(t.good, are_moderate(from.size + f.r, speed, size, time))};
+        };
+        if (e->kind == event_kind::corner) {
+            return checked(touch_corner<Fused, N>(from, f.u, f.r, time), 1);
+        }
+        if constexpr (N == 3) {
+            if (is_edge) {
+                const auto d = edge_in_parts<3>(f, e->index);
+                return checked(touch_edge<Fused>(from, f.u, d, f.r, time), d.size);
+            }
+        }
+        const auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(e->kind, f), f.r, time);
+        return checked(touch.time, touch.n.size);
     }
 };
 
