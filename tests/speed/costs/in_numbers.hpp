@@ -1,0 +1,86 @@
+// The formulas in a number type, as they are.
+#pragma once
+
+#include "costs.hpp"
+
+#include <graze/formula/solve_balls.hpp>
+#include <graze/formula/solve_flat.hpp>
+
+#include <memory>
+
+namespace costs {
+
+template <class T>
+[[nodiscard]] graze::vec<3, T> as(const graze::vec<3, double>& x) {
+    return {T(x[0]), T(x[1]), T(x[2])};
+}
+template <class T>
+[[nodiscard]] graze::ball<3, T> as(const graze::ball<3>& x) {
+    return {as<T>(x.position), as<T>(x.velocity), T(x.radius), T(x.mass)};
+}
+template <class T>
+[[nodiscard]] graze::wall<3, T> as(const graze::wall<3>& x) {
+    return {as<T>(x.corner), {as<T>(x.edge[0]), as<T>(x.edge[1])}};
+}
+
+// Converted once, and shared by the questions.
+template <class T, class S>
+[[nodiscard]] auto converted(const pairs_of<double, S>& p) {
+    using shape = decltype(as<T>(p.b.front()));
+    auto r = std::make_shared<pairs_of<T, shape>>();
+    for (std::size_t i = 0; i < p.a.size(); ++i) {
+        r->a.push_back(as<T>(p.a[i]));
+        r->b.push_back(as<T>(p.b[i]));
+    }
+    return r;
+}
+
+// By the signs of h, c and D, each computed only if it is needed.
+template <class T>
+[[nodiscard]] graze::encounter decide(const graze::ball<3, T>& a, const graze::ball<3, T>& b) {
+    const auto m = graze::relative_motion_of(a, b);
+    const T h = graze::coefficient_h{}(m);
+    if (graze::sign(h) >= 0) {
+        return graze::encounter::recede;
+    }
+    const T c = graze::coefficient_c{}(m);
+    if (graze::sign(c) < 0) {
+        return graze::encounter::overlap;
+    }
+    const graze::quadratic<T, T, T> q{graze::coefficient_a{}(m), h, c};
+    const int s = graze::sign(T(graze::discriminant_halved{}(q)));
+    return s < 0 ? graze::encounter::miss : s == 0 ? graze::encounter::graze : graze::encounter::hit;
+}
+
+template <class T>
+[[nodiscard]] contestant decisions_in(const pairs& all) {
+    const auto number = [](const auto& a, const auto& b) { return static_cast<int>(decide(a, b)); };
+    const auto generic = converted<T>(all.generic);
+    const auto grazing = converted<T>(all.grazing);
+    contestant c;
+    c.decide = [=] { return sum_of(*generic, number); };
+    c.decide_grazing = [=] { return sum_of(*grazing, number); };
+    c.encounters = [=] { return encounters_of(*grazing, [](const auto& a, const auto& b) { return decide(a, b); }); };
+    return c;
+}
+
+template <class T>
+[[nodiscard]] contestant all_in(const pairs& all) {
+    contestant c = decisions_in<T>(all);
+    c.collide = [meeting = converted<T>(all.meeting)] {
+        return sum_of(*meeting, [](const auto& a, const auto& b) {
+            const auto s = graze::solve<graze::variant::halved>(a, b);
+            return static_cast<double>(s.time + s.position_a[0] + s.position_b[1] + s.normal[2] + s.velocity_a[0] +
+                                       s.velocity_b[1]);
+        });
+    };
+    c.collide_wall = [aimed = converted<T>(all.aimed)] {
+        return sum_of(*aimed, [](const auto& a, const auto& w) {
+            const auto s = graze::solve<graze::variant::halved>(a, w);
+            return static_cast<double>(s.time + s.position[0] + s.point[1] + s.normal[2] + s.velocity[0]);
+        });
+    };
+    return c;
+}
+
+} // namespace costs
