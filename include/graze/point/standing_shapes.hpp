@@ -83,7 +83,7 @@ class standing_shapes {
     [[nodiscard]] bool is_plane(body b) const noexcept { return b - first_ < planes_.size(); }
     // When x meets b, or its image; not at an inner edge.
     [[nodiscard]] std::optional<typename M::time> meet(const images<M>& all, const state& x, body b,
-                                                       const image_index& periods) const {
+                                                       image_index periods) const {
         const auto& m = all.rules();
         const auto when_at = [&](const auto& there) {
             auto when = m.meet(x, there);

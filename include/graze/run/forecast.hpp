@@ -72,7 +72,7 @@ class forecast : public lookout<M> {
                 const plan& p = plans_[a];
                 if (p.is_to_leave()) {
                     if (scene_.is_periodic() && taken_.empty()) {
-                        if (surroundings_.has_idled() && scene_.moves_as_one()) {
+                        if (surroundings_.has_idled() && moves_as_one()) {
                             return ending::exhausted;
                         }
                         if (surroundings_.is_idle()) {
@@ -118,6 +118,14 @@ class forecast : public lookout<M> {
     using lookout<M>::earliest_of;
     using lookout<M>::look;
 
+    // Whether all balls fly alike and nothing stands, so that nothing ever happens but what is happening.
+    [[nodiscard]] bool moves_as_one() const {
+        bool alike = scene_.bodies() == scene_.balls();
+        for (body a = 1; a < scene_.balls(); ++a) {
+            alike = alike && order_of(scene_[a].state.state.velocity, scene_[0].state.state.velocity) == 0;
+        }
+        return alike;
+    }
     void set(body a, const plan& p) noexcept {
         plans_[a] = p;
         calendar_.schedule(a, p.lower);
@@ -134,7 +142,7 @@ class forecast : public lookout<M> {
         double more = 0;
         for (int tries = 0; tries < 4 && surroundings_.look_around(a, f, now, scene_.gone(a), more); ++tries) {
             const double end = surroundings_.fresh_end(f, now);
-            const auto image_of = [&](std::size_t i) { return surroundings_.fresh_image(i); };
+            const auto image_of = [&](std::size_t i, body b) { return surroundings_.fresh_image(i, b); };
             const plan p = earliest_of(
                 a, end, [&](auto meet) { this->for_each_own(a, surroundings_.fresh(), image_of, true, meet); });
             if (!p.is_to_leave() || p.lower == end) {
@@ -159,13 +167,13 @@ class forecast : public lookout<M> {
         set(a, p);
     }
 
-    void find(body a, body b, const image_index& image, double lower) {
+    void find(body a, body b, image_index image, double lower) {
         const body x = std::min(a, b), y = std::max(a, b);
         found_.push_back({lower, x, y, scene_.count(x), count(y), x == a ? image : image_index{} - image});
     }
     // What a may meet until `latest`, into found_.
     void gather(body a, double latest, bool has_changed) {
-        this->for_each_own(a, has_changed, [&](body b, const image_index& image) {
+        this->for_each_own(a, has_changed, [&](body b, image_index image) {
             if (const time_bounds bounds = when(a, b, image, latest); bounds.lower <= latest && bounds.lower < never) {
                 find(a, b, image, bounds.lower);
             }

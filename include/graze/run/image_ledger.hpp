@@ -27,7 +27,7 @@ class image_ledger {
     // So many periods ball a has gone back.
     [[nodiscard]] image_index gone(body a) const noexcept { return get(a).gone; }
     // So many periods are between that image of b, another ball or what stands, and b itself, as a and b fly.
-    [[nodiscard, gnu::always_inline]] image_index periods(body a, body b, const image_index& image) const noexcept {
+    [[nodiscard, gnu::always_inline]] image_index periods(body a, body b, image_index image) const noexcept {
         if (entries_.empty()) [[likely]] {
             return {};
         }
@@ -35,12 +35,12 @@ class image_ledger {
     }
     [[nodiscard]] image_index last(body a) const noexcept { return get(a).last; }
 
-    void bring_back(body a, const image_index& periods) noexcept {
+    void bring_back(body a, image_index periods) noexcept {
         if (a < entries_.size()) {
             entries_[a].gone = entries_[a].gone + periods;
         }
     }
-    void meet(body a, const image_index& image) noexcept {
+    void meet(body a, image_index image) noexcept {
         if (a < entries_.size()) {
             entries_[a].last = image;
         }

@@ -66,7 +66,7 @@ class lookout {
     [[nodiscard]] std::uint32_t count(body b) const noexcept { return b < scene_.balls() ? scene_.count(b) : 0; }
 
     // Around when a and b meet; never, if they don't or it is certainly later than `latest`.
-    [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, const image_index& image, double latest) const {
+    [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, image_index image, double latest) const {
         constexpr time_bounds none{never, never};
         if (scene_.have_just_met(a, b, image)) {
             return none;
@@ -77,13 +77,13 @@ class lookout {
         return bounds.lower < never && !(bounds.upper < start_) ? bounds : none;
     }
     // f(b, image) for those whom a may meet in its shell and who belong to it: all of them, if it has changed.
-    // image_of(i): of the i-th on the list, in a scene that has a period.
+    // image_of(i, b): of b, the i-th on the list, in a scene that has a period.
     template <class Image, class F>
     void for_each_own(body a, std::span<const body> list, Image image_of, bool has_changed, F f) const {
         for (std::size_t i = 0; i < list.size(); ++i) {
             const body b = list[i];
             if (has_changed || b >= scene_.balls() || changed_[b] < changed_[a]) {
-                f(b, scene_.is_periodic() && scene_.has_images(b) ? image_of(i) : image_index{});
+                f(b, scene_.is_periodic() && scene_.has_images(b) ? image_of(i, b) : image_index{});
             }
         }
         for (const body b : surroundings_.everywhere()) {
@@ -105,7 +105,7 @@ class lookout {
         if (surroundings_.is_everywhere(a)) {
             for_each_other(a, has_changed, f);
         } else {
-            const auto image_of = [&](std::size_t i) { return surroundings_.image(a, i); };
+            const auto image_of = [&](std::size_t i, body b) { return surroundings_.image(a, i, b); };
             for_each_own(a, surroundings_.of(a), image_of, has_changed, f);
         }
     }
@@ -115,7 +115,7 @@ class lookout {
     [[nodiscard]] plan earliest_of(body a, double end, Each each) const {
         plan p{never, end};
         double second = never;
-        each([&](body b, const image_index& image) {
+        each([&](body b, image_index image) __attribute__((always_inline)) {
             if (const time_bounds bounds = when(a, b, image, p.upper); bounds.lower < never) {
                 second = std::min(second, std::max(p.lower, bounds.lower));
                 if (bounds.lower < p.lower) {

@@ -26,7 +26,8 @@ class moving_scene {
 
     moving_scene(const scene<dimension, number>& s, M m)
         : images_(std::move(m), (check(s), s.period), detail::is_periodic(s)),
-          standing_(s, static_cast<body>(s.balls.size())), balls_(s.balls, images_), counts_(s.balls.size()),
+          standing_(s, static_cast<body>(s.balls.size())), balls_(s.balls, images_),
+          first_standing_(static_cast<body>(s.balls.size())), counts_(s.balls.size()),
           ledger_(is_periodic() ? s.balls.size() : 0),
           points_(balls_.has_points() && bodies() > balls() ? balls() : 0) {
         if (is_periodic() && !points_.empty() && !(s.walls.empty() && triangles_of(s).empty())) {
@@ -36,19 +37,13 @@ class moving_scene {
 
     [[nodiscard]] const M& rules() const noexcept { return images_.rules(); }
     [[nodiscard]] bool is_periodic() const noexcept { return images_.is_periodic(); }
-    // Whether all balls fly alike and nothing stands, so that nothing ever happens but what is happening.
-    [[nodiscard]] bool moves_as_one() const {
-        return bodies() == balls() && std::all_of(balls_.movers.begin(), balls_.movers.end(), [&](const auto& b) {
-                   return order_of(b.state.state.velocity, balls_.movers.front().state.state.velocity) == 0;
-               });
-    }
     // Whether it is met at several places.
     [[nodiscard]] bool has_images(body b) const noexcept { return b < balls() || !standing_.is_plane(b); }
     // In doubles.
     [[nodiscard]] vec<dimension, double> period() const {
         return is_periodic() ? standing_.in_doubles(rules(), images_.period()) : vec<dimension, double>{};
     }
-    [[nodiscard]] body balls() const noexcept { return static_cast<body>(balls_.movers.size()); }
+    [[nodiscard]] body balls() const noexcept { return first_standing_; }
     [[nodiscard]] body bodies() const noexcept { return standing_.end(); }
     [[nodiscard]] mover<state>& operator[](body a) noexcept { return balls_.movers[a]; }
     [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return balls_.movers[a]; }
@@ -71,7 +66,10 @@ class moving_scene {
 
     // Whether the two have just met: neither has had another event since, and both fly straight, so that they part.
     // What meets an immovable ball changes nothing for that ball; it meets what stands once.
-    [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, const image_index& image = {}) const noexcept {
+    [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, image_index image = {}) const noexcept {
+        if (b < balls() && balls_.movers[a].last != b && balls_.movers[b].last != a) [[likely]] {
+            return false;
+        }
         if (b >= balls() && balls_.movers[a].immovable) {
             return std::find(passed_.begin(), passed_.end(), passage{a, b, image}) != passed_.end();
         }
@@ -81,13 +79,11 @@ class moving_scene {
             return false;
         }
         const auto turned = [&](body x, body y) { return !balls_.movers[x].immovable && balls_.movers[x].last != y; };
-        return b < balls()
-                   ? (balls_.movers[a].last == b || balls_.movers[b].last == a) && !turned(a, b) && !turned(b, a)
-                   : balls_.movers[a].last == b;
+        return b < balls() ? !turned(a, b) && !turned(b, a) : balls_.movers[a].last == b;
     }
 
     // When a and that image of b meet, a < b; empty if they don't.
-    [[nodiscard]] std::optional<time> meet(body a, body b, const image_index& image = {}) const {
+    [[nodiscard]] std::optional<time> meet(body a, body b, image_index image = {}) const {
         return saying_who(a, b, [&] {
             const state& x = balls_.movers[a].state;
             return b < balls()     ? images_.meet(x, balls_.movers[b].state, ledger_.periods(a, b, image))
@@ -98,15 +94,12 @@ class moving_scene {
 
     // Around when a and b meet, a < b; from the largest double on if they don't, or if that is certainly later than
     // `latest` and the mechanics says so.
-    [[nodiscard, gnu::always_inline]] time_bounds meet_until(body a, body b, const image_index& image,
-                                                             double latest) const {
+    [[nodiscard, gnu::always_inline]] time_bounds meet_until(body a, body b, image_index image, double latest) const {
         if (b < balls()) {
             return images_.meet_until(balls_.movers[a].state, balls_.movers[b].state, ledger_.periods(a, b, image),
                                       latest);
         }
-        const std::optional<time> when = meet(a, b, image);
-        constexpr double never = std::numeric_limits<double>::max();
-        return when ? rules().bounds(*when) : time_bounds{never, never};
+        return meet_standing(a, b, image);
     }
     // Where planes and walls are.
     [[nodiscard]] std::vector<standing_extent<dimension>> extents() const { return standing_.extents(rules()); }
@@ -117,7 +110,7 @@ class moving_scene {
     }
 
     // Ball a's state, and b's if it is a ball, after they have met; alone: neither meets anything else at that time.
-    void bounce(body a, body b, const image_index& image, const time& when, bool alone) {
+    void bounce(body a, body b, image_index image, const time& when, bool alone) {
         saying_who(a, b, [&] { change(a, b, image, when, alone); });
     }
 
@@ -182,6 +175,11 @@ class moving_scene {
     }
 
   private:
+    [[nodiscard, gnu::noinline]] time_bounds meet_standing(body a, body b, image_index image) const {
+        const std::optional<time> when = meet(a, b, image);
+        constexpr double never = std::numeric_limits<double>::max();
+        return when ? rules().bounds(*when) : time_bounds{never, never};
+    }
     template <class F>
     auto saying_who(body a, body b, F f) const {
         return saying(f, [&] { return named(a, b); });
@@ -195,7 +193,7 @@ class moving_scene {
         }
     }
 
-    void change(body a, body b, const image_index& image, const time& when, bool alone) {
+    void change(body a, body b, image_index image, const time& when, bool alone) {
         mover<state>& x = balls_.movers[a];
         if (b < balls()) {
             mover<state>& y = balls_.movers[b];
@@ -237,6 +235,7 @@ class moving_scene {
     images<M> images_;
     standing_parts<M> standing_;
     numbered_balls<M> balls_;
+    body first_standing_;               // the number of balls, which is asked for too often to be computed
     std::vector<std::uint32_t> counts_; // side by side, since they are read far more often than flights
     image_ledger ledger_;
     std::vector<passage> passed_;        // immovable balls, and what stands that they have met

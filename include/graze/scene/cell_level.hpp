@@ -15,14 +15,15 @@ namespace graze::inline v0_1::detail {
     return whole - (static_cast<double>(whole) > x ? 1 : 0);
 }
 
-// power: which level this is. around: so many cells are a period, 0 where there is none. reach: the largest yet of its
-// points. count: of points.
+// power: which level this is. around: so many cells are a period; more than there are where there is none. start: where
+// the first cell of a period begins. reach: the largest yet of its points. count: of points.
 template <int N>
 struct cell_level {
     using cell = std::array<std::int64_t, N>;
+    static constexpr std::int64_t endless = std::int64_t{1} << 62;
 
     int power = 0;
-    vec<N, double> per_length{};
+    vec<N, double> per_length{}, start{};
     cell around{};
     double reach = 0;
     std::size_t count = 0;
@@ -32,30 +33,41 @@ struct cell_level {
         for (int i = 0; i < N; ++i) {
             const auto k = static_cast<std::size_t>(i);
             const bool circle = period[i] > 0;
-            around[k] = circle ? std::max<std::int64_t>(1, whole_below(std::min(period[i] / width, 0x1p30))) : 0;
+            around[k] = circle ? std::max<std::int64_t>(1, whole_below(std::min(period[i] / width, 0x1p30))) : endless;
             per_length.component[i] = circle ? static_cast<double>(around[k]) / period[i] : 1 / width;
+            start.component[i] = -period[i] / 2;
         }
     }
 
-    // Monotonic in x, however its product is rounded.
-    [[nodiscard]] std::int64_t along(double x, int axis) const noexcept { return whole_below(x * per_length[axis]); }
-    // The same cell, by its coordinate in [0, around).
-    [[nodiscard]] std::int64_t wrapped(std::int64_t coordinate, int axis) const noexcept {
+    // Monotonic in x, however it is rounded.
+    [[nodiscard]] std::int64_t along(double x, int axis) const noexcept {
+        return whole_below((x - start[axis]) * per_length[axis]);
+    }
+    // Of a point within half a period of 0, but for rounding.
+    [[nodiscard]] std::int64_t along_inside(double x, int axis) const noexcept {
         const std::int64_t n = around[static_cast<std::size_t>(axis)];
-        if (n == 0) {
-            return coordinate;
-        }
-        const std::int64_t rest = coordinate % n;
-        return rest < 0 ? rest + n : rest;
+        return n == endless ? along(x, axis) : std::clamp<std::int64_t>(along(x, axis), 0, n - 1);
+    }
+    // In which period that cell is.
+    [[nodiscard]] std::int32_t period_of(std::int64_t coordinate, int axis) const noexcept {
+        const std::int64_t n = around[static_cast<std::size_t>(axis)];
+        return n == endless ? 0 : static_cast<std::int32_t>((coordinate - (coordinate < 0 ? n - 1 : 0)) / n);
     }
     // Cells side by side along the first axis have their lists side by side.
     [[nodiscard]] std::uint64_t key_of(const cell& c) const noexcept {
-        std::uint64_t key = static_cast<std::uint64_t>(c[0]) + static_cast<std::uint64_t>(power) * 0xd6e8feb86659fd93U +
-                            static_cast<std::uint64_t>(c[1]) * 0x9e3779b97f4a7c55U;
-        if constexpr (N == 3) {
-            key += static_cast<std::uint64_t>(c[2]) * 0xc2b2ae3d27d4eb4fU;
+        std::uint64_t key = first_key();
+        for (int i = 0; i < N; ++i) {
+            key += key_along(c[static_cast<std::size_t>(i)], i);
         }
         return key;
+    }
+    // The sum of these.
+    [[nodiscard]] std::uint64_t first_key() const noexcept {
+        return static_cast<std::uint64_t>(power) * 0xd6e8feb86659fd93U;
+    }
+    [[nodiscard]] static std::uint64_t key_along(std::int64_t coordinate, int axis) noexcept {
+        constexpr std::array<std::uint64_t, 3> factors = {1, 0x9e3779b97f4a7c55U, 0xc2b2ae3d27d4eb4fU};
+        return static_cast<std::uint64_t>(coordinate) * factors[static_cast<std::size_t>(axis)];
     }
 };
 

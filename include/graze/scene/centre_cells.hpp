@@ -31,13 +31,7 @@ class centre_cells {
     centre_cells(std::size_t points, double usual_reach, const point& period)
         : entries_(points), heads_(std::bit_ceil(2 * points + 16), no_body), base_(usual_reach), period_(period) {
         for (int i = 0; i < N; ++i) {
-            half_.component[i] = std::numeric_limits<double>::max();
-            if (period[i] > 0) {
-                is_periodic_ = true;
-                half_.component[i] = period[i] / 2;
-                shortest_ = std::min(shortest_, period[i]);
-                slack_ = std::max(slack_, 0x1p-40 * period[i]);
-            }
+            slack_ = std::max(slack_, 0x1p-40 * period[i]);
         }
     }
 
@@ -59,7 +53,7 @@ class centre_cells {
         ++l.count;
         cell c;
         for (int i = 0; i < N; ++i) {
-            c[static_cast<std::size_t>(i)] = l.wrapped(l.along(x[i], i), i);
+            c[static_cast<std::size_t>(i)] = l.along_inside(x[i], i);
         }
         e.key = l.key_of(c);
         body& head = heads_[e.key & (heads_.size() - 1)];
@@ -126,32 +120,9 @@ class centre_cells {
     }
     // f(b, image) for those of its images that may be near.
     template <class F>
-    [[gnu::always_inline]] void offer(body b, const point& x, double own, F& f) const {
-        const entry& e = entries_[b];
-        const double far = (own + e.reach) * (1 + 0x1p-30) + slack_;
-        if (2 * far < shortest_) { // then no more than the nearest one, all points being within half a period of 0
-            image_index image{};
-            double square = 0;
-            for (int i = 0; i < N; ++i) {
-                double d = e.at[i] - x[i];
-                if (is_periodic_) {
-                    const int k = (d < -half_[i] ? 1 : 0) - (d > half_[i] ? 1 : 0);
-                    image[static_cast<std::size_t>(i)] = k;
-                    d += k * period_[i];
-                }
-                square += d * d;
-            }
-            if (!(square > far * far)) {
-                f(b, image);
-            }
-        } else {
-            offer_all(b, x, far, f);
-        }
-    }
-    template <class F>
     void offer_all(body b, const point& x, double far, F& f) const {
         const entry& e = entries_[b];
-        image_index low{}, high{};
+        whole_periods low{}, high{};
         for (int i = 0; i < N; ++i) {
             if (period_[i] > 0) {
                 const auto k = static_cast<std::size_t>(i);
@@ -159,7 +130,7 @@ class centre_cells {
                 high[k] = static_cast<std::int32_t>(whole_below((x[i] - e.at[i] + far) / period_[i]));
             }
         }
-        for_each_in_box(low, high, [&](const image_index& image) {
+        for_each_in_box(low, high, [&](const whole_periods& image) {
             double square = 0;
             for (int i = 0; i < N; ++i) {
                 const double d = e.at[i] - x[i] + image[static_cast<std::size_t>(i)] * period_[i];
@@ -172,49 +143,65 @@ class centre_cells {
     }
     template <class F>
     void look(const level& l, const point& x, double own, bool everyone, F& f) const {
-        const double reach = 1.001 * (own + l.reach);
+        const double reach = 1.001 * (own + l.reach) + slack_;
         cell low, high;
         double cells = 1;
         for (int i = 0; i < N; ++i) {
             const auto k = static_cast<std::size_t>(i);
             low[k] = l.along(x[i] - reach, i);
             high[k] = l.along(x[i] + reach, i);
-            if (l.around[k] != 0) {
-                high[k] = std::min(high[k], low[k] + l.around[k] - 1);
-            }
             cells *= static_cast<double>(high[k] - low[k] + 1);
         }
         if (everyone || !(cells < 2 * static_cast<double>(entries_.size()) + 64)) { // then the points are fewer
             for (body b = 0; b < entries_.size(); ++b) {
                 if (entries_[b].power == l.power) {
-                    offer(b, x, own, f);
+                    offer_all(b, x, (own + entries_[b].reach) * (1 + 0x1p-30) + slack_, f);
                 }
             }
             return;
         }
-        for_each_in_box(low, high, [&](const cell& c) {
-            cell at;
-            for (int i = 0; i < N; ++i) {
-                const auto k = static_cast<std::size_t>(i);
-                at[k] = l.wrapped(c[k], i);
-            }
-            const std::uint64_t key = l.key_of(at);
+        walk<N - 1>(l, low, high, x, {}, l.first_key(), [&](const point& from, const whole_periods& image, auto key) {
             for (body b = heads_[key & (heads_.size() - 1)]; b != no_body; b = entries_[b].next) {
-                if (entries_[b].key == key) {
-                    offer(b, x, own, f);
+                if (const entry& e = entries_[b]; e.key == key) {
+                    const double far = (own + e.reach) * (1 + 0x1p-30) + slack_;
+                    if (!(graze::squared_norm(e.at - from) > far * far)) {
+                        f(b, image);
+                    }
                 }
             }
         });
+    }
+    // f(from, image, key) for each cell in the box, along this axis and those before: x is at `from` as seen from the
+    // points in the cell of that key, of which it is that image.
+    template <int Axis, class F>
+    [[gnu::always_inline]] void walk(const level& l, const cell& low, const cell& high, point from, whole_periods image,
+                                     std::uint64_t key, F f) const {
+        constexpr auto k = static_cast<std::size_t>(Axis);
+        const double x = from[Axis];
+        const std::int64_t around = l.around[k];
+        image[k] = l.period_of(low[k], Axis);
+        std::int64_t at = low[k] - (image[k] != 0 ? image[k] * around : 0);
+        from.component[Axis] = x - image[k] * period_[Axis];
+        for (std::int64_t left = high[k] - low[k]; left >= 0; --left) {
+            const std::uint64_t there = key + l.key_along(at, Axis);
+            if constexpr (Axis == 0) {
+                f(from, image, there);
+            } else {
+                walk<Axis - 1>(l, low, high, from, image, there, f);
+            }
+            if (++at == around) {
+                at = 0;
+                from.component[Axis] = x - ++image[k] * period_[Axis];
+            }
+        }
     }
 
     std::vector<entry> entries_;
     std::vector<body> heads_; // of the cells' lists, some of which are of several cells; a power of two
     std::vector<level> levels_;
     double base_ = 1;
-    point period_{}, half_{};
-    double shortest_ = std::numeric_limits<double>::max(); // of the periods
+    point period_{};
     double slack_ = 0; // more than whole periods and places within them are rounded by
-    bool is_periodic_ = false;
 };
 
 } // namespace graze::inline v0_1::detail

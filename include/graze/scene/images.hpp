@@ -34,7 +34,7 @@ class images {
     [[nodiscard]] bool is_periodic() const noexcept { return is_periodic_; }
     [[nodiscard]] const vec<dimension, number>& period() const noexcept { return period_; }
 
-    [[nodiscard]] std::optional<time> meet(const state& a, const state& b, const image_index& periods) const {
+    [[nodiscard]] std::optional<time> meet(const state& a, const state& b, image_index periods) const {
         if constexpr (mechanics_of_periods<M>) {
             if (is_elsewhere(periods)) {
                 return mechanics_.meet(a, b, shift(periods));
@@ -43,7 +43,7 @@ class images {
         return mechanics_.meet(a, b);
     }
     // Doubles around that, as meet_until of a mechanics that has it.
-    [[nodiscard, gnu::always_inline]] time_bounds meet_until(const state& a, const state& b, const image_index& periods,
+    [[nodiscard, gnu::always_inline]] time_bounds meet_until(const state& a, const state& b, image_index periods,
                                                              double latest) const {
         if constexpr (requires { mechanics_.meet_until(a, b, latest); }) {
             if (!is_elsewhere(periods)) {
@@ -59,7 +59,7 @@ class images {
         constexpr double never = std::numeric_limits<double>::max();
         return when ? mechanics_.bounds(*when) : time_bounds{never, never};
     }
-    void bounce(state& a, state& b, const image_index& periods, const time& when) const {
+    void bounce(state& a, state& b, image_index periods, const time& when) const {
         if constexpr (mechanics_of_periods<M>) {
             if (is_elsewhere(periods)) {
                 mechanics_.bounce(a, b, shift(periods), when);
@@ -70,7 +70,7 @@ class images {
     }
     // f(s or its image), of what stands. A plane is its own image: its normal has no component along a period.
     template <class S, class F>
-    auto with_image(const S& s, const image_index& periods, F f) const {
+    auto with_image(const S& s, image_index periods, F f) const {
         if constexpr (mechanics_of_periods<M> && requires { s.edge; }) {
             if (is_elsewhere(periods)) {
                 const S there = mechanics_.displaced(s, shift(periods));
@@ -90,10 +90,10 @@ class images {
     }
 
   private:
-    [[nodiscard]] bool is_elsewhere(const image_index& periods) const noexcept {
+    [[nodiscard]] bool is_elsewhere(image_index periods) const noexcept {
         return is_periodic_ && periods != image_index{};
     }
-    [[nodiscard]] image_shift<dimension, number> shift(const image_index& periods) const { return {periods, period_}; }
+    [[nodiscard]] image_shift<dimension, number> shift(image_index periods) const { return {periods, period_}; }
 
     M mechanics_;
     vec<dimension, number> period_;

@@ -16,13 +16,13 @@ namespace graze::inline v0_1::detail {
 using image_code = std::uint32_t;
 
 inline constexpr std::int32_t most_periods = 100;
-[[nodiscard]] constexpr image_code coded(const image_index& x) noexcept {
+[[nodiscard]] constexpr image_code coded(image_index x) noexcept {
     return static_cast<image_code>(x[0] + 128) | static_cast<image_code>(x[1] + 128) << 8 |
            static_cast<image_code>(x[2] + 128) << 16;
 }
 [[nodiscard]] constexpr image_index decoded(image_code x) noexcept {
-    return {static_cast<std::int32_t>(x & 255) - 128, static_cast<std::int32_t>(x >> 8 & 255) - 128,
-            static_cast<std::int32_t>(x >> 16 & 255) - 128};
+    return whole_periods{static_cast<std::int32_t>(x & 255) - 128, static_cast<std::int32_t>(x >> 8 & 255) - 128,
+                         static_cast<std::int32_t>(x >> 16 & 255) - 128};
 }
 
 // Lists of bodies, in one piece of memory. Balls that are in each other's lists are so both ways. image: which of a

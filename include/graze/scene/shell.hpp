@@ -53,9 +53,10 @@ template <int N>
                 (far + speed * (std::max(std::fabs(now), std::fabs(when)) + std::fabs(f.since))) * 0x1p-46 < margin};
 }
 
-// About how far balls are apart: the side of a cell, if there are as many cells as balls where these are.
+// About how far balls are apart: the side of a cell, if there are as many cells as balls where these are, or in a
+// period.
 template <int N>
-[[nodiscard]] double spacing_of(std::span<const flight<N, double>> balls) {
+[[nodiscard]] double spacing_of(std::span<const flight<N, double>> balls, const vec<N, double>& period = {}) {
     std::array<double, N> extent{};
     for (std::size_t i = 0; i < N; ++i) {
         double low = shell_end<N>::never, high = -low;
@@ -63,7 +64,8 @@ template <int N>
             low = std::min(low, b.state.position[static_cast<int>(i)]);
             high = std::max(high, b.state.position[static_cast<int>(i)]);
         }
-        extent[i] = balls.empty() ? 0 : std::min(2 * (high / 2 - low / 2), 0x1p400);
+        const double length = period[static_cast<int>(i)];
+        extent[i] = length > 0 ? length : balls.empty() ? 0 : std::min(2 * (high / 2 - low / 2), 0x1p400);
     }
     std::sort(extent.begin(), extent.end());
     double spacing = 0;

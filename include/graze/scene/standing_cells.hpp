@@ -87,7 +87,7 @@ class standing_cells {
     // itself where there is no period.
     template <class F>
     void for_each_image(const point& x, double reach, const point& period, F f) const {
-        image_index low{}, high{};
+        whole_periods low{}, high{};
         for (int k = 0; k < N; ++k) {
             const auto axis = static_cast<std::size_t>(k);
             if (period[k] > 0 && !bounded_.empty()) {
@@ -101,7 +101,7 @@ class standing_cells {
                 high[axis] = static_cast<std::int32_t>(std::floor((x[k] + wide - first) / period[k]));
             }
         }
-        for_each_in_box(low, high, [&](const image_index& image) {
+        for_each_in_box(low, high, [&](const whole_periods& image) {
             point from = x;
             for (int k = 0; k < N; ++k) {
                 from.component[k] -= image[static_cast<std::size_t>(k)] * period[k];

@@ -24,18 +24,22 @@ class surroundings {
     surroundings(std::span<const flight<N, double>> balls, double now, standing_cells<N> standing, bool with_cells,
                  const vec<N, double>& period = {})
         : standing_(std::move(standing)), period_(period), shortest_(shortest(period)),
-          lists_(static_cast<body>(balls.size()), is_periodic()), shells_(balls.size()), with_cells_(with_cells) {
+          lists_(static_cast<body>(balls.size()), is_periodic()), shells_(balls.size()),
+          balls_(static_cast<body>(balls.size())), with_cells_(with_cells) {
         everywhere_.reserve(balls.size());
         double largest = 0;
         for (const auto& b : balls) {
             largest = std::max(largest, b.state.radius);
         }
-        const double spacing = std::max({spacing_of<N>(balls), largest / 4, 0x1p-390});
+        const double spacing = std::max({spacing_of<N>(balls, period), largest / 4, 0x1p-390});
         least_ = spacing / 64;
-        cells_ = centre_cells<N>(balls.size(), 1.0625 * std::max(crowded * spacing, largest * 1.125), period);
-        for (body a = 0; a < balls.size(); ++a) {
-            const double r = balls[a].state.radius;
-            shells_[a].radius = std::max(crowded * spacing - r, r / 8);
+        const auto shell_around = [&](double r) {
+            return std::max({crowded * spacing - r, narrowest * spacing, r / 8});
+        };
+        cells_ = centre_cells<N>(balls.size(), 1.0625 * std::max(crowded * spacing, largest + shell_around(largest)),
+                                 period);
+        for (body a = 0; a < balls_; ++a) {
+            shells_[a].radius = shell_around(balls[a].state.radius);
             if ((with_cells || is_periodic()) && look_around(a, balls[a], now)) {
                 make_room(a);
                 settle(a);
@@ -50,20 +54,17 @@ class surroundings {
     [[nodiscard]] bool is_everywhere(body a) const noexcept { return shells_[a].everywhere; }
     [[nodiscard]] std::span<const body> everywhere() const noexcept { return everywhere_; }
     [[nodiscard]] std::span<const body> of(body a) const noexcept { return lists_.of(a); }
-    // In a periodic space: of the i-th on a's list, or of those for its next shell, the image that may be near, counted
-    // as `predicted` does if each ball has gone back by `periods` of it.
-    [[nodiscard]] image_index image(body a, std::size_t i) const noexcept {
-        const body b = lists_.of(a)[i];
-        return decoded(lists_.images_of(a)[i]) + shells_[a].place -
-               (b < shells_.size() ? shells_[b].place : image_index{});
+    // In a periodic space: of b, the i-th on a's list or of those for its next shell, the image that may be near,
+    // counted as `predicted` does if each ball has gone back by `periods` of it.
+    [[nodiscard, gnu::always_inline]] image_index image(body a, std::size_t i, body b) const noexcept {
+        return decoded(lists_.images_of(a)[i]) + shells_[a].place - (b < balls_ ? shells_[b].place : image_index{});
     }
-    [[nodiscard]] image_index fresh_image(std::size_t i) const noexcept {
-        const body b = fresh_[i];
-        return decoded(fresh_images_[i]) + next_.place - (b < shells_.size() ? shells_[b].place : image_index{});
+    [[nodiscard]] image_index fresh_image(std::size_t i, body b) const noexcept {
+        return decoded(fresh_images_[i]) + next_.place - (b < balls_ ? shells_[b].place : image_index{});
     }
     // Until when a ball in flight, which has gone back by so many periods, is in its shell.
     [[nodiscard]] shell_end<N> end(body a, const flight<N, double>& f, double now,
-                                   const image_index& gone = {}) const noexcept {
+                                   image_index gone = {}) const noexcept {
         return shells_[a].everywhere
                    ? shell_end<N>{shell_end<N>::never, true}
                    : end_of_shell(f, now, from_flight(cells_[a], shells_[a].place - gone), shells_[a].radius);
@@ -72,7 +73,7 @@ class surroundings {
     // The neighbours that a has if its shell is where it flies at `now`, into fresh(). False if it can have no shell.
     // more: how much farther the shell has to reach than would do. If each ball has left dozens of shells without an
     // event, it may be that none will follow.
-    [[nodiscard]] bool look_around(body a, const flight<N, double>& f, double now, const image_index& gone = {},
+    [[nodiscard]] bool look_around(body a, const flight<N, double>& f, double now, image_index gone = {},
                                    double more = 0) {
         next_ = {f.state.radius, shells_[a].radius, false, true, {}};
         if (shells_[a].is_there) {
@@ -80,7 +81,7 @@ class surroundings {
         }
         next_.radius = std::min(next_.radius, shortest_) + more;
         const vec<N, double> place = position_at(f.state.position, f.state.velocity, now - f.since);
-        image_index whole{};
+        whole_periods whole{};
         centre_ = place;
         for (int i = 0; i < N && is_periodic(); ++i) {
             if (period_[i] > 0) {
@@ -98,20 +99,20 @@ class surroundings {
         fresh_.clear();
         fresh_images_.clear();
         const double reach = next_.ball + next_.radius;
-        cells_.around(centre_, reach, !with_cells_, [&](body b, const image_index& image) {
+        cells_.around(centre_, reach, !with_cells_, [&](body b, image_index image) {
             if (b != a) {
                 fresh_.push_back(b);
                 add_image(image);
             }
         });
-        const auto add = [&](const image_index& image) {
+        const auto add = [&](image_index image) {
             return [&, image](body b) {
                 fresh_.push_back(b);
                 add_image(image);
             };
         };
         standing_.planes_around(centre_, reach, add({})); // of which no normal has a component along a period
-        standing_.for_each_image(centre_, reach, period_, [&](const vec<N, double>& from, const image_index& image) {
+        standing_.for_each_image(centre_, reach, period_, [&](const vec<N, double>& from, image_index image) {
             standing_.walls_around(from, reach, add(image));
         });
         return true;
@@ -125,7 +126,7 @@ class surroundings {
     void make_room(body a) {
         cells_.make_level(next_.ball + next_.radius);
         for (const body b : fresh_) {
-            if (b < shells_.size()) {
+            if (b < balls_) {
                 lists_.make_room(b, is_periodic() ? fresh_.size() : 1); // several images of one
             }
         }
@@ -142,7 +143,7 @@ class surroundings {
             const body b = fresh_[i];
             const image_code image = is_periodic() ? fresh_images_[i] : 0;
             lists_.add(a, b, image);
-            if (b < shells_.size()) {
+            if (b < balls_) {
                 lists_.add(b, a, is_periodic() ? coded(image_index{} - decoded(image)) : 0);
             }
         }
@@ -160,8 +161,9 @@ class surroundings {
     }
 
   private:
-    // A shell and its ball are to reach so many distances between balls: then a dozen are on a list in space.
-    static constexpr double crowded = 0.8;
+    // A shell and its ball are to reach so many distances between balls: then a dozen are on a list in space. A shell
+    // is not less than `narrowest` of them, lest it be left too often.
+    static constexpr double crowded = 0.7, narrowest = 0.3;
     static constexpr std::size_t fewest = 2, most = N == 2 ? 16 : 32;
 
     struct shell {
@@ -179,7 +181,7 @@ class surroundings {
         }
         return least;
     }
-    [[nodiscard]] vec<N, double> from_flight(vec<N, double> centre, const image_index& periods) const noexcept {
+    [[nodiscard]] vec<N, double> from_flight(vec<N, double> centre, image_index periods) const noexcept {
         for (int i = 0; i < N && is_periodic(); ++i) {
             centre.component[i] += periods[static_cast<std::size_t>(i)] * period_[i];
         }
@@ -187,7 +189,7 @@ class surroundings {
     }
     // In shells: some dozens of each ball.
     [[nodiscard]] std::size_t patience() const noexcept { return 32 * shells_.size() + 256; }
-    void add_image(const image_index& image) {
+    void add_image(image_index image) {
         if (is_periodic()) {
             fresh_images_.push_back(coded(image));
         }
@@ -203,7 +205,7 @@ class surroundings {
     void retire(body a) noexcept {
         cells_.leave(a);
         for (const body b : lists_.of(a)) {
-            if (b < shells_.size()) {
+            if (b < balls_) {
                 lists_.remove(b, a);
             }
         }
@@ -216,6 +218,7 @@ class surroundings {
     centre_cells<N> cells_;
     neighbour_lists lists_;
     std::vector<shell> shells_;
+    body balls_ = 0; // so many
     std::vector<body> everywhere_;
     double least_ = 0;     // to which a shell shrinks
     std::size_t idle_ = 0; // so many shells since something has happened
