@@ -1,3 +1,6 @@
+// Runs in Boost's binary floating-point numbers.
+#pragma once
+
 #include "../../types/cpp_bin_float.hpp"
 
 #include "../type_run.hpp"
@@ -6,18 +9,11 @@
 
 namespace compare::run::types {
 
-namespace {
-
 template <unsigned Digits>
 runnable of_digits() {
     using number = cpp_bin_float<Digits>;
     return {graze::number_traits<number>::name, "Boost", run_type<graze::plain_mechanics<2, number>>,
             run_type<graze::plain_mechanics<3, number>>};
 }
-
-} // namespace
-
-runnable of_cpp_bin_float_50() { return of_digits<50>(); }
-runnable of_cpp_bin_float_100() { return of_digits<100>(); }
 
 } // namespace compare::run::types
