@@ -10,8 +10,8 @@
 
 namespace graze::inline v0_1 {
 
-// A V, or what is wrong with the input. There is no conversion to bool, which would read like the answer where that is
-// one.
+// A V, or what is wrong with the input. It does not convert to bool: where V is bool, that would read like the
+// answer.
 template <class V>
 class [[nodiscard]] result {
   public:
@@ -48,7 +48,7 @@ constexpr void inspect_any(const Shape& shape, const keeping_first& tell) noexce
     }
 }
 
-// Of a wall or a triangle of which nothing else is wrong.
+// For a wall or a triangle that is right in all other respects.
 template <class Shape>
 [[nodiscard]] constexpr bool has_parallel_edges(const Shape& shape) noexcept {
     using T = number_of_shape<Shape>;
@@ -61,7 +61,7 @@ template <class Shape>
     }
 }
 
-// The first that is wrong with a pair, as the procedures that throw tell it.
+// The first fault of a pair, as the procedures that throw name it.
 template <class A, class B>
 [[nodiscard]] constexpr input_error error_in_pair(const A& a, const B& b) noexcept {
     input_error e;
@@ -101,9 +101,9 @@ template <class Ask>
 
 } // namespace detail
 
-// What the procedure without try_ says of a pair of any kind, in either order, of graze's shapes or a user's; or, where
-// that one would throw, what is wrong: the first fault, as its message names it. Needs no exceptions. An observer that
-// throws ends the program.
+// The answer of the procedure without try_, for every pair kind, in either order, of graze's shapes or a user's. Where
+// that procedure would throw, the error instead: the first fault, as its message names it. Needs no exceptions. An
+// observer that throws ends the program.
 template <class A, class B, class... Observer>
 [[nodiscard]] constexpr auto try_classify(const A& a, const B& b, Observer&&... observer) noexcept {
     return detail::answer_unless(detail::error_in_pair(shape_of(a), shape_of(b)),

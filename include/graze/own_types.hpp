@@ -1,5 +1,5 @@
-// classify, overlaps, time_of_impact, collide and solve for shapes of users' own types: those that ball_access,
-// plane_access, wall_access or triangle_access reads, their vectors by vector_access.
+// classify, overlaps, time_of_impact, collide and solve for shapes of users' own types: ball_access, plane_access,
+// wall_access or triangle_access reads the shapes, vector_access their vectors.
 #pragma once
 
 #include <graze/classify.hpp>
@@ -32,7 +32,7 @@ template <class A, class B>
     return r;
 }
 
-// A ball with that radius only: nothing else is looked at.
+// A ball with that radius only: the caller reads nothing else.
 template <ball_like B>
 [[nodiscard]] constexpr auto size_of(const B& b) {
     decltype(shape_of(b)) r{};
@@ -52,7 +52,7 @@ concept filtered_pair = ball_like<A> && ball_like<B> && requires(const A& a, con
 
 } // namespace detail
 
-// The answer, stage and errors of the function of the same name for the shapes that these stand for.
+// The answer, stage and errors are those of the function of the same name for shape_of(a) and shape_of(b).
 template <class A, class B, class Observer = ignore_stage>
 requires foreign_pair<A, B>
 [[nodiscard, gnu::always_inline]] constexpr inline encounter classify(const A& a, const B& b,

@@ -19,7 +19,7 @@ struct batch_classify {
     [[nodiscard]] static encounter one(const X& x, const Y& y) {
         return graze::classify(x, y);
     }
-    // What lanes leave open. Doubles have been through the filter, floats through one in float.
+    // Pairs that the lanes leave open. Doubles have been through the filter, floats through one in float.
     template <class X, class Y>
     [[nodiscard]] static encounter further(const X& x, const Y& y) {
         return graze::classify(x, y);
@@ -57,17 +57,17 @@ struct batch_overlaps {
 namespace batch {
 
 // The encounter of each ball of a with the ball of the same index in b, or with the one ball, plane, wall or triangle
-// b: what[i] is classify(a[i], b[i]). a: a contiguous range of balls, or columns; so is b where there is one for each
-// ball of a. Throws std::invalid_argument, before anything is written, if sizes differ; and what classify throws, the
-// message beginning with "pair " and the first index of which the input is bad: then all answers before that are
-// written, and any of those after it may be. Calls share nothing: parts of a batch may be asked by several threads.
+// b: what[i] is classify(a[i], b[i]). a: a contiguous range of balls, or columns; so is b if it has one for each ball
+// of a. Throws std::invalid_argument, before anything is written, if sizes differ. Bad input throws what classify
+// throws, with a message that begins with "pair " and the first bad index; all answers before that one have then been
+// written, and any of those after it may have been. Calls share nothing: several threads may ask parts of a batch.
 template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void classify(const A& a, const B& b, std::span<encounter> what) {
     detail::decide_all<detail::batch_classify, Mode>(detail::source_of(a), detail::source_of(b), what);
 }
 
-// Whether the two of each pair are inside each other: inside[i] is overlaps(a[i], b[i]). Otherwise as classify.
+// Whether the two of each pair are inside each other: inside[i] is overlaps(a[i], b[i]). All else as for classify.
 template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void overlaps(const A& a, const B& b, std::span<bool> inside) {

@@ -22,7 +22,7 @@ constexpr void check_movers(const B& a, const B& b) {
     check(b, name_of_b<B>);
 }
 
-// The inputs of two flights, settled in a unit of time of their own.
+// The inputs of two flights, lifted, in a unit of time of their own.
 template <int N, class T>
 [[nodiscard]] constexpr timed_inputs<two_balls<N>> lift_flights(const flight<N, T>& a, const flight<N, T>& b) noexcept {
     auto in = lift_timed<two_balls<N>>(packed<two_balls<N>>(a.state, b.state), epochs_of(a, b));
@@ -42,7 +42,7 @@ template <moving B, class F>
     }
 }
 
-// The sign of D from exact coefficients: of an estimate where that is certain, else of the exact value.
+// The sign of D from exact coefficients: an estimate's where that is certain, else the exact value's.
 template <class A, class H, class C>
 [[nodiscard]] constexpr int sign_of_discriminant(const quadratic<A, H, C>& q) {
     const estimate d = discriminant_halved{}(quadratic{estimate_of(q.a), estimate_of(q.h), estimate_of(q.c)});
@@ -69,7 +69,7 @@ struct exact_encounter {
     }
 };
 
-// Movers of one velocity, both at rest for instance, come no closer: no integers are needed.
+// Movers of equal velocities, for instance both at rest, come no closer: no integers are needed.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const B& a, const B& b) {
     if (is_same(state_of(a).velocity, state_of(b).velocity)) {
@@ -85,7 +85,7 @@ struct decided_balls {
     stage decided_by;
 };
 
-// Where the filter is not certain, or not asked.
+// Where the filter is not certain, or was not run.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr decided_balls classify_further(const B& a, const B& b) {
     if constexpr (std::floating_point<number_in<B>>) {
@@ -121,15 +121,15 @@ template <int N, class T>
 
 } // namespace detail
 
-// The laws of all predicates, for balls, planes and walls (by these numbers proved on hard cases in
-// proofs/predicate/laws.cpp and tried on random ones in tests/predicate/laws.hpp; those of one predicate alone stand
-// above it). The answer stays the same
+// The laws of all predicates, for balls, planes and walls. Under these numbers they are proved on hard cases in
+// proofs/predicate/laws.cpp and tested on random ones in tests/predicate/laws.hpp. A law of one predicate alone stands
+// above it. The answer stays the same
 //   1. when the axes are permuted or mirrored;
-//   2. when the same things are written otherwise: balls exchanged, a normal reversed, a wall's edges exchanged or
-//      drawn from the other end;
-//   3. when lengths, velocities and normals are scaled by a power of two each, but that times scale;
+//   2. when the same things are written in another way: balls exchanged, a normal reversed, a wall's edges exchanged
+//      or drawn from the other end;
+//   3. when lengths, velocities and normals are each scaled by a power of two, except that times scale;
 //   4. in another frame of reference, and elsewhere, if the shifted numbers are exact.
-//   5. Times are in one order, whatever met whatever: of <, == and > exactly one holds, and < is transitive.
+//   5. Times of all pair kinds have one order: of <, == and > exactly one holds, and < is transitive.
 //   6. overlap, graze and hit have a time, recede and miss have none; an overlap's time is 0.
 
 // Whether two balls meet, exactly, for every finite input. Throws std::domain_error that names the ball and the field
@@ -149,9 +149,9 @@ requires is_binary_input<T>
     return detail::classify_movers(a, b, observer);
 }
 
-// For flights, encounters mean at t0, the later `since`, what they mean for balls at t = 0. The motion before t0 is
-// exact: nothing is rounded. Laws 1 to 6, with t0 for an overlap's time, and
-//   12. flights of one `since` do what their balls do;
+// For flights, encounters mean at t0, the later `since`, what they mean for balls at t = 0. The motion up to t0 is
+// exact: nothing is rounded. Laws 1 to 6 hold, with t0 for an overlap's time, and
+//   12. flights with the same `since` do what their balls do;
 //   13. the answer stays the same when every `since` is shifted by one number, if the sums are exact.
 
 // Whether two flights meet from t0 on, exactly, for every finite input. Throws std::domain_error that names the flight

@@ -1,5 +1,5 @@
-// classify for exact number types (rationals, integers of any library): the formulas as they are, which are then
-// decisions.
+// classify for exact number types (rationals, integers of any library). It evaluates the formulas as they are; in
+// these types their signs are exact.
 #pragma once
 
 #include <graze/exact/binary.hpp>
@@ -13,7 +13,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// As inspect, of exact numbers, all of which are finite.
+// inspect for exact numbers, all of which are finite.
 template <int N, exact_number T, class Tell>
 constexpr void inspect_numbers(const ball<N, T>& b, Tell tell) {
     if (graze::sign(b.radius) < 0) {
@@ -36,7 +36,7 @@ constexpr void inspect_numbers(const Edged& x, Tell tell) {
     }
 }
 
-// Whether sums and products of T are of T again.
+// Whether sums and products of T have the type T again.
 template <class T>
 concept closed_number = std::same_as<std::remove_cvref_t<decltype(std::declval<T>() * std::declval<T>())>, T> &&
     std::same_as<std::remove_cvref_t<decltype(std::declval<T>() + std::declval<T>())>, T>;
@@ -66,7 +66,7 @@ struct exact_number_judge {
     }
 };
 
-// Of a wall or a triangle. use(way, decision)
+// For a wall or a triangle. use(way, decision)
 template <int N, class T, class Shape, class F>
 [[nodiscard]] constexpr auto with_decision(const ball<N, T>& b, const Shape& s, F use) {
     const auto decide = [&]<class X, class Judge>(const flat_motion<N, X>& m, const Judge& judge) {
@@ -149,7 +149,7 @@ requires(!is_binary_input<T>) [[nodiscard]] constexpr wall_encounter
     return detail::decide_in_numbers(b, t);
 }
 
-// For an inexact type without a proven filter, formulas promise nothing.
+// In an inexact type without a proven filter, the formulas promise nothing.
 template <int N, number T, class Other>
 requires(!is_binary_input<T> && !exact_number<T>) constexpr encounter classify(const ball<N, T>&, const Other&) {
     static_assert(is_binary_input<T>,

@@ -8,7 +8,7 @@
 namespace graze::inline v0_1 {
 
 // Laws 1 to 4 and 6 of classify_balls.hpp, and
-//   7. a plane is never missed and never grazed: what approaches it meets it.
+//   7. a plane is never missed and never grazed: a ball that approaches it meets it.
 
 // Whether a ball meets an infinite plane, exactly, for every finite input: recede, overlap or hit. Throws
 // std::domain_error that names the argument and the field when an input is not finite, the radius is negative or the
@@ -42,7 +42,7 @@ requires is_binary_input<T>
     return what;
 }
 
-// The same of a triangle.
+// The same for a triangle.
 template <class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr encounter classify(const ball<3, T>& b, const triangle<T>& t, Observer&& observer = {}) {
@@ -64,9 +64,9 @@ template <int N, class T, class Shape, class Observer>
 
 } // namespace detail
 
-// What classify says, and of which feature: where the ball touches first, or of an overlap the closest one now. Of
-// features that are touched at the same time the face comes before edges and edges before corners; which of several
-// edges it is depends on nothing but the pair. A plane has its face alone. Throws as classify does.
+// The encounter as classify returns it, and its feature: the one that the ball touches first, for an overlap the
+// closest one now. If features are touched at the same time, the face comes before edges and edges before corners;
+// which of several edges it is depends only on the pair. A plane has only its face. Throws as classify does.
 template <int N, class T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr wall_encounter classify_feature(const ball<N, T>& b, const plane<N, T>& p,

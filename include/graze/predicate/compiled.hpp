@@ -1,4 +1,4 @@
-// The cold stages of decisions, which graze::compiled contains and a unit need not compile.
+// The cold stages of decisions: graze::compiled contains them, so that a unit need not compile them.
 #pragma once
 
 #include <graze/predicate/classify_balls.hpp>

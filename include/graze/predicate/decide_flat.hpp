@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Inputs are checked here, where doubles are not certain: those that are out of their range are not finite, or zero, or
-// merely odd.
+// Inputs are checked here, where doubles are not certain. Inputs out of the filter's range are not finite, or zero, or
+// merely unusual.
 template <int N, class T, class Shape>
 [[nodiscard, gnu::noinline]] constexpr flat_answer decide_flat_slowly(const ball<N, T>& b, const Shape& shape,
                                                                       flat_question question, stage& by) {
@@ -21,7 +21,7 @@ template <int N, class T, class Shape>
     return found;
 }
 
-// The first stage: the pair in doubles, and what is certain of it.
+// The first stage: the pair in doubles, and what they decide for certain.
 template <int N, class T>
 struct filtered_flat {
     flat_motion<N, double> motion;

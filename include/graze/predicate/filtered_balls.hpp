@@ -20,8 +20,8 @@ struct halved_of_motion {
     }
 };
 
-// The constant of D, and of the two signs that are compared with the same product of scales: h² > K S, S =
-// length²·velocity², is more than |h| > K_h length·velocity, and a|c| > K S is |c| > K length².
+// The constant of D. It serves the two other signs too, by the same product of scales, S = length²·velocity²: h² > K S
+// implies |h| > K_h length·velocity, and a|c| > K S is |c| > K length².
 template <int N, class T, class Bounds = ball_bounds<N, T>>
 struct ball_filter {
     static constexpr double h = filter_constant(coefficient_h{}, Bounds::value());
@@ -36,14 +36,14 @@ struct ball_filter {
 template <moving B>
 using filter_of = ball_filter<dimension_of<B>, number_in<B>, moving_bounds<B>>;
 
-// What the filter knows of a pair: the encounter if it is certain, and the numbers on which that rests.
+// What the filter knows about a pair: the encounter, if it is certain, and the numbers on which it rests.
 struct filtered_balls {
     bool certain = false;
     double h = 0, c = 0, discriminant = 0;
     double length2 = 0; // at least |Δx|² + R²
     double scale = 0;   // |Δu|² length2
 
-    // Looked up by the three signs, none of which is of a zero: pairs come in no order that a branch could predict.
+    // Looked up by the three signs, none of which is 0: pairs come in no order that a branch could predict.
     [[nodiscard, gnu::always_inline]] encounter what() const noexcept {
         constexpr auto row = [](encounter negative_d, encounter positive_d) {
             return static_cast<std::uint64_t>(positive_d) | static_cast<std::uint64_t>(negative_d) << 8;
@@ -65,7 +65,7 @@ struct filtered_balls {
 template <class T>
 inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0x1p-450;
 
-// Whether R is of a size that is mostly in that range. Where it is not, products that underflow would take longer than
+// Whether R has a size that usually is in that range. Where it has not, products that underflow would take longer than
 // all the rest.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool has_usual_size(const B& a, const B& b) noexcept {
@@ -76,7 +76,7 @@ template <moving B>
     }
 }
 
-// Constants: a ball_filter's, for the motion m and |length|² as it is computed.
+// Constants: those of a ball_filter, for the motion m and the computed |length|².
 template <class T, class Constants>
 struct started_filter {
     quadratic<double, double, double> q;
@@ -89,13 +89,13 @@ struct started_filter {
         : q(quadratic_of(m)), length2(square), scale(q.a * length2),
           in_range((std::min(q.a, length2) > smallest_square<T>)&(scale < 0x1p570)) {}
 
-    // Whether h > 0 is certain. Where a branch on it is worth while, it saves what follows.
+    // Whether h > 0 is certain. Where a branch on it is worth its cost, it saves the rest of the work.
     [[nodiscard, gnu::always_inline]] bool is_parting() const noexcept {
         return all_hold(q.h * std::fabs(q.h) > Constants::discriminant * scale, in_range);
     }
-    // Of balls that are not parting: D, and whether a hit is certain, D beyond `clear` times its bound, by fewer
-    // comparisons than finish() makes. h² = D + a c is then beyond it as well, but for roundings, and h negative: else
-    // they parted.
+    // For balls that are not parting: D, and whether a hit is certain, by fewer comparisons than finish() makes. It is
+    // certain if D exceeds `clear` times its bound: h² = D + a c then exceeds it as well, but for roundings, and h is
+    // negative, or they would be parting.
     static constexpr double clear = 16;
     struct clear_hit {
         double discriminant;
@@ -121,7 +121,7 @@ struct started_filter {
     }
 };
 
-// Of two movers.
+// For two movers.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline auto start_filter(const B& a, const B& b) noexcept {
     const bool plain = plain_radii(state_of(a).radius, state_of(b).radius);

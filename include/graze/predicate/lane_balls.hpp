@@ -45,7 +45,7 @@ struct lane_quadratic {
         : q(quadratic_of(m)), length2(graze::squared_norm(m.dx) + m.R * m.R), odd_radii(odd) {}
 };
 
-// The three signs, by one constant, as started_filter does; see ball_filter. A NaN or an infinity makes a comparison
+// The three signs by one constant, as in started_filter; see ball_filter. A NaN or an infinity makes a comparison
 // false, and leaves its lane open.
 template <int N, class V>
 struct filtered_lanes {

@@ -1,4 +1,4 @@
-// What lanes have in common, whatever meets whatever: constants, ranges and answers.
+// What lanes of all pair kinds share: constants, ranges and answers.
 #pragma once
 
 #include <graze/filter/static_filter.hpp>
@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Of inputs of T in arithmetic of T: exact ones, and differences and sums that are rounded once.
+// Inputs of T in arithmetic of T: exact ones, and differences and sums that are rounded once.
 template <class T>
 using lane_bound = basic_error_bound<std::numeric_limits<T>::digits>;
 
@@ -19,8 +19,8 @@ template <class T>
     return static_cast<T>(k * (1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon())));
 }
 
-// Squared scales above `smallest` whose products in pairs are below `largest`: of doubles as started_filter has it. Of
-// floats, what underflow loses (2^-126 a time, also of an input that is read as 0) is below 2^-40 of any such product,
+// Squared scales above `smallest` whose products in pairs are below `largest`: for doubles as in started_filter. For
+// floats, what underflow loses (2^-126 a time, also where an input is read as 0) is below 2^-40 of any such product,
 // and the slack of a constant is more than 2^-35 of it. A square is below 2^120: nothing has overflowed.
 template <class T>
 struct lane_range {
@@ -28,7 +28,7 @@ struct lane_range {
     static constexpr T largest = static_cast<T>(sizeof(T) == 4 ? 0x1p80 : 0x1p570);
 };
 
-// The encounters as numbers, from three signs that are certain: whether they come no closer, are inside each other, or
+// The encounters as numbers, from three certain answers: whether the two come no closer, are inside each other, or
 // miss.
 template <class T, int Lanes>
 [[nodiscard, gnu::always_inline]] inline pack<T, Lanes>
@@ -39,7 +39,7 @@ encounter_codes(pack_mask<T, Lanes> parting, pack_mask<T, Lanes> inside, pack_ma
     return pack<T, Lanes>::of((parting & code(encounter::recede)) | (~(parting | inside) & apart));
 }
 
-// Answers of lanes, and in `open` the lanes that have none.
+// The answers of lanes, and in `open` the lanes that have none.
 template <class V>
 struct lane_encounters {
     V codes;

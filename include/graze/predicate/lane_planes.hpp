@@ -44,7 +44,7 @@ struct lane_plane {
         : m(relative_motion_of(b, p)), length2(graze::squared_norm(m.w) + m.r * m.r),
           velocity2(graze::squared_norm(m.u)), normal2(graze::squared_norm(m.n)) {}
 
-    // Where the clearance is certain, and nothing over- or underflows: of which lanes.
+    // The lanes in which the clearance is certain and nothing over- or underflows.
     [[nodiscard, gnu::always_inline]] typename V::mask is_clear(const V& clearance) const noexcept {
         using T = typename V::scalar;
         return absolute(clearance) > V(rounded_up<T>(lane_plane_filter<N, T>::clearance)) * (length2 * normal2);
@@ -72,7 +72,7 @@ template <int N, class V>
                          (parting | lane.is_clear(clearance)) & lane.in_range() &
                          (lane.velocity2 > V(range::smallest)) & (lane.velocity2 * lane.normal2 < V(range::largest));
     const auto inside = clearance < zero;
-    const auto missing = parting & ~parting; // none: what comes closer to a plane meets it
+    const auto missing = parting & ~parting; // none: a ball that comes closer to a plane meets it
     return {encounter_codes(parting, inside, missing), (all_lanes<V> ^ bits_of(certain)) | sign_bits(b.radius)};
 }
 

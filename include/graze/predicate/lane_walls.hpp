@@ -1,5 +1,5 @@
-// The encounters of balls with a wall or a triangle: as many balls at a time as a register has lanes. Lanes decide what
-// is seen from afar and what crosses the face; a ball that comes near a border they leave open.
+// The encounters of balls with a wall or a triangle: as many balls at a time as a register has lanes. Lanes decide far
+// balls and those that cross the face; they leave open a ball that comes near a border.
 #pragma once
 
 #include <graze/machine/pack_transforms.hpp>
@@ -16,13 +16,13 @@ template <template <int, class> class X, int N, class V>
 template <template <class> class X, class V>
 [[nodiscard]] X<double> numbers_in_doubles(const X<V>&);
 
-// Of a sign: where it is certain that it is this one.
+// The lanes in which a sign is certainly positive, and certainly negative.
 template <class V>
 struct lane_sign {
     typename V::mask positive, negative;
 };
 
-// As filtered_judge, in lanes of doubles that come from inputs of type T.
+// filtered_judge in lanes of doubles that come from inputs of type T.
 template <int N, class T, class V>
 struct lane_judge {
     V length, velocity, edge; // scales
@@ -63,8 +63,8 @@ struct lane_judge {
     }
 };
 
-// Whether the centre's line, which crosses the plane outside of border k, passes it at more than r. It passes whatever
-// lies inside of that border at no less.
+// Whether the centre's line, which crosses the plane outside of border k, passes that border at more than r. It then
+// passes everything inside of the border at no less.
 template <int N, class V, class Judge>
 [[nodiscard, gnu::always_inline]] inline typename V::mask
 passes_border(const flat_motion<N, V>& m, const flat_way<N, V>& way, int k, const Judge& judge) noexcept {
@@ -78,8 +78,8 @@ passes_border(const flat_motion<N, V>& m, const flat_way<N, V>& way, int k, cons
     }
 }
 
-// recede: nothing of the thing comes closer; or the line crosses the face and the centre is beyond. miss: all of it
-// comes closer, and the line passes a border. hit: the line crosses the face, and the ball is not in the slab yet.
+// recede: no point of the shape comes closer, or the line crosses the face and the centre is beyond it. miss: all of
+// it comes closer, and the line passes a border. hit: the line crosses the face, and the ball is not yet in the slab.
 template <int N, class T, class V>
 [[nodiscard, gnu::always_inline]] inline lane_encounters<V> classify_flat_lanes(const flat_motion<N, V>& m,
                                                                                 unsigned odd_radii) noexcept {
@@ -124,7 +124,7 @@ template <int N, int Lanes, flat_shape Shape>
 classify_lanes(const ball<N, pack<double, Lanes>>& b, const Shape& shape) noexcept {
     return classify_flat_lanes<N, double>(lane_motion_of(b, shape), sign_bits(b.radius));
 }
-// Floats are worked on as doubles, one half of the lanes after the other.
+// Floats are computed as doubles, one half of the lanes after the other.
 template <int N, int Lanes, flat_shape Shape>
 [[nodiscard, gnu::always_inline]] inline lane_encounters<pack<float, Lanes>>
 classify_lanes(const ball<N, pack<float, Lanes>>& b, const Shape& shape) noexcept {

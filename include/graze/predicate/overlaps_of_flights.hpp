@@ -1,4 +1,4 @@
-// Whether a flight and what stands are inside each other when it starts, whatever it does next.
+// Whether a flight and a plane, wall or triangle are inside each other at its epoch, whatever it does next.
 #pragma once
 
 #include <graze/predicate/classify_flights.hpp>

@@ -7,7 +7,7 @@
 namespace graze::inline v0_1 {
 
 // Laws 1 to 4 of classify_balls.hpp, and
-//   10. classify says overlap of what overlaps and does not recede, and of nothing else.
+//   10. classify returns overlap for pairs that overlap and do not recede, and for no others.
 
 namespace detail {
 

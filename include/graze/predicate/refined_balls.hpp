@@ -1,4 +1,4 @@
-// Two movers of which the filter is not certain: scaled, in Lagrange's form, in double words.
+// Two movers that the filter leaves open: scaled, in Lagrange's form, in double words.
 #pragma once
 
 #include <graze/machine/fused.hpp>
@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Which encounter it is, as a number, or `undecided`; and the stage that was needed.
+// The encounter as a number, or `undecided`, and the stage that was needed.
 struct refined_encounter {
     int what = undecided;
     stage decided_by = stage::exact;
@@ -17,7 +17,7 @@ struct refined_encounter {
 
 inline constexpr int out_of_range = -2;
 
-// The motion of two movers as the analysis sees it: differences and sums of numbers of the input are its inputs.
+// The motion of two movers as the analysis sees it: its inputs are differences and sums of the pair's numbers.
 template <bool HasEpoch>
 struct analysed_movers {
     template <int N, class Arithmetic>
@@ -46,8 +46,8 @@ struct inputs_in_words {
     [[nodiscard]] static word sum(double x, double y) noexcept { return word(two_sum(x, y)); }
 };
 
-// use(motion, sizes, in_range) of two movers at the later epoch: the sizes of what the motion's numbers were added up
-// from, and whether epochs are in range.
+// use(motion, sizes, in_range) for two movers at the later epoch. sizes: of the terms that the motion's numbers were
+// added up from. in_range: whether epochs are in range.
 template <class In, moving B, class F>
 [[nodiscard, gnu::always_inline]] inline auto with_sizes_at_start(const B& a, const B& b, F use) noexcept {
     constexpr int N = dimension_of<B>;
@@ -73,7 +73,7 @@ template <class In, moving B, class F>
     return use(m, size, in_range);
 }
 
-// Of floats, whose subnormals are not read as zeros.
+// For floats, whose subnormals are not read as zeros.
 template <int N>
 [[nodiscard]] constexpr const ball<N, double>& in_doubles(const ball<N, double>& b) noexcept {
     return b;
@@ -117,7 +117,7 @@ template <moving B>
     return {};
 }
 
-// The sign of c alone, `open` where words leave it so: whatever the velocities, as long as they are finite.
+// The sign of c alone, or `open` where words don't decide it. Velocities don't matter, as long as they are finite.
 template <moving B>
 struct distance_in_words {
     const B *a, *b;
@@ -148,7 +148,7 @@ template <moving B>
     return open;
 }
 
-// In doubles, and in words where that leaves it open; nothing of movers out of range.
+// In doubles, and in words where these leave it open. False for movers out of range.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool refine_in_range(refined_encounter& r, const B& a, const B& b) noexcept {
     const int what = with_sizes_at_start<inputs_in_doubles>(
@@ -160,7 +160,7 @@ template <moving B>
     return what != out_of_range;
 }
 
-// The filter of a scaled motion. Differences are rounded before they are scaled: that loses no more than after it.
+// The filter of a scaled motion. Differences lose no more if they are rounded before they are scaled than after.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline filtered_balls filter_scaled(const scaled_motion<N>& s) noexcept {
     const auto& m = s.motion;
@@ -190,7 +190,7 @@ template <moving B>
     return keeps_subnormals() && refine_in_range(r, s.a, s.b) ? r : refined_encounter{};
 }
 
-// Of movers whose radii are not negative.
+// For movers whose radii are not negative.
 template <moving B>
 requires std::same_as < number_in<B>,
 double > [[nodiscard, gnu::always_inline]] inline refined_encounter refine(const B& a, const B& b) noexcept {

@@ -1,4 +1,4 @@
-// On which side of a plane, or of the plane of a wall's or triangle's face, a ball's centre is, and where it heads.
+// On which side of a plane, or of the plane of a wall's or triangle's face, a ball's centre is, and which way it heads.
 #pragma once
 
 #include <graze/pair/plane_signs.hpp>

@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1 {
 
-// Ball i is at position[k][i], flies at velocity[k][i] along axis k, and has the radius radius[i]; i < size. Nothing is
-// owned. Columns have no masses: nothing that is asked of them needs any.
+// Along axis k, ball i is at position[k][i] and flies at velocity[k][i]. Its radius is radius[i]; i < size. A
+// non-owning view. Columns have no masses: no function that takes them needs any.
 template <int N, class T = double>
 struct columns {
     std::array<const T*, N> position;

@@ -1,4 +1,4 @@
-// Balls, flights, planes, walls and triangles of users' own types, read where they are.
+// Balls, flights, planes, walls and triangles of users' own types, read in place.
 #pragma once
 
 #include <graze/linear/vector_access.hpp>
@@ -78,7 +78,7 @@ struct wall_access {};
 template <class T>
 struct triangle_access {};
 
-// A user's type that stands for a ball or a flight, a plane, a wall, a triangle.
+// A type that can be read as a ball or a flight, a plane, a wall, a triangle.
 template <class B>
 concept ball_like = requires(const B& b) {
     ball_access<B>::position(b);
@@ -107,7 +107,7 @@ concept foreign_shape = !own_shape<S> && (ball_like<S> || plane_like<S> || wall_
 
 namespace detail {
 
-// Dimension and number type of what stands for a vec.
+// Dimension and number type of a type that vector_access reads.
 template <class V>
 using vec_like = vector_access<std::remove_cvref_t<V>>;
 
