@@ -8,7 +8,7 @@ namespace graze::inline v0_1::detail {
 // The balls, except mirrors, of the events of one time.
 class balls_of_events {
   public:
-    // Notes whose they are, and marks the events that share a ball with another one.
+    // Notes the balls of each event, and marks the events that share a ball with another one.
     template <mechanics M>
     void note(const moving_scene<M>& scene, std::vector<timed_event<typename M::time>>& events) {
         entries_.clear();
@@ -30,8 +30,8 @@ class balls_of_events {
         }
     }
 
-    // Marks those events, from one on, that share a ball with what an event at `now` has brought about, if that is of
-    // just the same time.
+    // Marks the events, from number `from` on, that share a ball with an event that one at `now` has caused, if that
+    // has exactly the same time.
     template <mechanics M>
     void compare(const moving_scene<M>& scene, const std::vector<predicted>& found, const typename M::time& now,
                  std::vector<timed_event<typename M::time>>& events, std::size_t from) const {

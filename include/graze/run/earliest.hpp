@@ -44,9 +44,9 @@ template <mechanics M>
     return is_shared(x.a) || is_shared(x.b);
 }
 
-// For a mechanics that cannot order all of them: takes an event before which there is certainly no other, and those
-// that are certainly simultaneous with it. An event that may be earlier but shares no ball with it can be done later.
-// Throws M's undecided where the order matters, or where it is open whether two meet.
+// For a mechanics that cannot order all of them: takes an event that certainly no other precedes, and those that are
+// certainly simultaneous with it. An event that may be earlier but shares no ball with it can be done later. Throws M's
+// undecided where the order matters, or where it is open whether two meet.
 template <mechanics M>
 void select_earliest_known(const moving_scene<M>& scene, const std::vector<timed_event<typename M::time>>& nearest,
                            std::vector<timed_event<typename M::time>>& earliest) {
@@ -85,7 +85,7 @@ void select_earliest_known(const moving_scene<M>& scene, const std::vector<timed
             earliest.push_back(nearest[i]);
         }
     }
-    if (!certain) { // what else is of its time may share a ball with what waits, and waits too
+    if (!certain) { // others of its time may share a ball with an event that waits, so they wait too
         const predicted& one = nearest[first].what;
         std::erase_if(earliest, [&](const timed_event<typename M::time>& d) {
             return !is_of_same_bodies(d.what, one) && !share_a_ball(scene, d.what, one);
@@ -93,7 +93,7 @@ void select_earliest_known(const moving_scene<M>& scene, const std::vector<timed
     }
 }
 
-// Those of them that are the earliest, in the same order. Allocates only where there are more than ever before.
+// The earliest of them, in the same order. Allocates only where there are more than ever before.
 template <mechanics M>
 void select_earliest(const moving_scene<M>& scene, const std::vector<timed_event<typename M::time>>& nearest,
                      std::vector<timed_event<typename M::time>>& earliest) {
@@ -113,7 +113,7 @@ void select_earliest(const moving_scene<M>& scene, const std::vector<timed_event
     }
 }
 
-// Of the planes and walls that a point is due to meet at one time, puts that first which it meets first.
+// Among the planes and walls that a point will meet at one time, puts the one first that it meets first.
 template <mechanics M>
 void put_first_standing_first(const moving_scene<M>& scene, std::vector<timed_event<typename M::time>>& events) {
     const auto is_standing = [&](const auto& d) { return d.what.b >= scene.balls(); };

@@ -15,10 +15,10 @@ namespace graze::inline v0_1::detail {
 
 // One time per ball. The near future is cut into buckets of equal length, each a list of the balls whose events are in
 // it. The current bucket is a small heap; later events wait in one more list. When the buckets are used up, new ones
-// are laid over the waiting events. Only the heap is ordered, so that changing a time takes a few steps however many
-// balls there are.
+// are laid over the waiting events. Only the heap is ordered, so changing a time takes a few steps however many balls
+// there are.
 //
-// A bucket is found by a function of the time that rounding leaves monotonic, computed in one place: what is in an
+// A function of the time, computed in one place, finds the bucket. Rounding leaves it monotonic: an event in an
 // earlier bucket is not later.
 class event_calendar {
   public:
@@ -69,8 +69,8 @@ class event_calendar {
         }
         return heap_.front().second;
     }
-    // Whether the earliest ball is the only one with an event up to a time. False if that takes a longer search to
-    // know.
+    // Whether the earliest ball is the only one with an event up to a time. False if it would take a longer search to
+    // find out.
     [[nodiscard]] bool is_only_until(double time) const noexcept {
         const double second = heap_.size() > 2   ? std::min(heap_[1].first, heap_[2].first)
                               : heap_.size() > 1 ? heap_[1].first
@@ -120,7 +120,7 @@ class event_calendar {
         heap_[at] = x;
         entries_[x.second].next = at;
     }
-    // Puts x, of which a copy may be at `from`, where it belongs when what was at `from` is no longer there.
+    // Puts x where it belongs once the entry at `from` is gone; a copy of x may be at `from`.
     void move(std::uint32_t from, instant x) noexcept {
         std::uint32_t at = from;
         for (; at > 0 && x.first < heap_[(at - 1) / 2].first; at = (at - 1) / 2) {
@@ -155,8 +155,8 @@ class event_calendar {
             a = next;
         }
     }
-    // Over what waits, so that the first buckets hold about one each, by a sample of the first quarter. False if
-    // nothing does.
+    // Lays buckets over the waiting events, so that the first hold about one each, by a sample of the first quarter.
+    // False if none waits.
     [[nodiscard]] bool lay_buckets() noexcept {
         std::array<double, 128> sample{};
         std::size_t taken = 0;
@@ -181,10 +181,10 @@ class event_calendar {
     }
 
     std::vector<entry> entries_;
-    std::vector<body> heads_; // of the buckets, and of what waits
+    std::vector<body> heads_; // of the buckets, and of the waiting list
     std::vector<instant> heap_;
-    double start_ = -never, per_time_ = 1; // of the first bucket; so many buckets
-    std::uint32_t current_ = 0;            // what is in this bucket or before is in the heap
+    double start_ = -never, per_time_ = 1; // of the first bucket; buckets per time
+    std::uint32_t current_ = 0;            // the events of this bucket and those before are in the heap
 };
 
 } // namespace graze::inline v0_1::detail

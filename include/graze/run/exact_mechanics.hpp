@@ -15,7 +15,7 @@
 
 namespace graze::inline v0_1 {
 
-// Who meets whom, and in which order, is exact for the states as they are; a state after an event is the exact one,
+// Which bodies meet, and in which order, is exact for the states as they are. A state after an event is the exact one,
 // rounded once. Between two events of a ball nothing is rounded. Throws std::overflow_error when a state would be
 // beyond the largest T.
 template <int N, std::floating_point T = double>
@@ -43,8 +43,8 @@ struct exact_mechanics {
         return classify_feature(a, t);
     }
 
-    // In a space of periods. Throws std::range_error where a coordinate is too small beside a period for its distance
-    // from an image to be a difference of two T, or where the image of a wall is not at T's.
+    // In a space with periods. Throws std::range_error where a coordinate is so small beside a period that its distance
+    // from an image is no difference of two T, or where numbers T cannot hold a wall's image.
     constexpr std::array<std::int32_t, 3> wrap(state& a, const vec<N, T>& period) const {
         return bring_within(a.state.position, period);
     }
@@ -80,7 +80,7 @@ struct exact_mechanics {
 
     [[nodiscard]] constexpr int order(const time& s, const time& t) const { return s.compare(t); }
     [[nodiscard]] constexpr int order(const time& s, const T& t) const { return s < t ? -1 : s > t ? 1 : 0; }
-    // The enclosure that the time was made with; one that is too wide to be of use is rounded from the exact time.
+    // The enclosure that the time was made with. If it is too wide to be of use, the exact time, rounded both ways.
     [[nodiscard]] constexpr time_bounds bounds(const time& t) const {
         const detail::enclosure near = t.enclosure();
         if (near.error <= near.near * 0x1p-31) {
@@ -88,7 +88,7 @@ struct exact_mechanics {
         }
         return {static_cast<double>(t.lower()), static_cast<double>(t.upper())};
     }
-    // The time of two that touch then, by the way.
+    // As the time of two balls that touch then.
     [[nodiscard]] constexpr time now(const state& a) const {
         ball<N, T> approaching{};
         approaching.position[0] = T(-1);
@@ -145,7 +145,7 @@ struct exact_mechanics {
         return detail::enclosed_exactly(
             detail::event<N, T>(pair{}, a, standing, detail::kind_of<N>(pair{}, graze::feature::face), 0, false));
     }
-    // As of a ball that cuts the face and goes deeper.
+    // As for a ball that cuts the face and goes deeper.
     template <class S>
     constexpr void turn_back(state& a, const S& standing) const {
         using pair = detail::pair_with<S>;

@@ -11,12 +11,12 @@
 
 namespace graze::inline v0_1::detail {
 
-// The next event of each ball of a moving scene. A ball's plan is for the earliest of what it may do with those that
-// belong to it, with what stands, and with its shell, which it may leave. So what happens first to anyone is in some
-// ball's plan, unless that is stale: its partner has changed since, and the ball looks again when its time comes.
+// The next event of each ball of a moving scene. A ball's plan is the earliest that it may do: meet a partner of a pair
+// that belongs to it, meet a plane or wall, or leave its shell. So the first event of all is in some ball's plan,
+// unless that is stale: if its partner has changed since, the ball looks again when its time comes.
 //
-// A change of the scene is predicted first, which may throw and then changes nothing here; it is accepted afterwards,
-// which does not throw.
+// A change of the scene is predicted first; if that throws, nothing here has changed. It is accepted afterwards, which
+// does not throw.
 template <mechanics M>
 class forecast : public lookout<M> {
   public:
@@ -38,8 +38,8 @@ class forecast : public lookout<M> {
 
     // Predicts the next event of ball a, whose flight has changed at a time not before `now`.
     void predict(body a, double now) { pending_.push_back({a, look(a, now, true)}); }
-    // Marks those of the events at the time `now`, from one on, that share a ball with what has been predicted, if
-    // it is of just that time.
+    // Marks the events at the time `now`, from number `from` on, that share a ball with a predicted event, if that has
+    // exactly the same time.
     void mark_choices(const time& now, std::vector<timed_event<time>>& events, std::size_t from) {
         if (from >= events.size()) {
             return;
@@ -118,7 +118,7 @@ class forecast : public lookout<M> {
     using lookout<M>::earliest_of;
     using lookout<M>::look;
 
-    // Whether all balls fly alike and nothing stands, so that nothing ever happens but what is happening.
+    // Whether all balls fly alike and there are no planes or walls, so that nothing more will ever happen.
     [[nodiscard]] bool moves_as_one() const {
         bool alike = scene_.bodies() == scene_.balls();
         for (body a = 1; a < scene_.balls(); ++a) {
@@ -135,7 +135,7 @@ class forecast : public lookout<M> {
     }
     [[nodiscard]] plan look_again(body a, double now) const { return look(a, now, false); }
 
-    // Gives ball a another shell: a wider one where it is not certain that its next event comes before it leaves.
+    // Gives ball a another shell: a wider one if it is not certain that its next event comes before it leaves.
     void renew(body a) {
         const double now = plans_[a].lower;
         const auto f = about(a);
@@ -171,7 +171,7 @@ class forecast : public lookout<M> {
         const body x = std::min(a, b), y = std::max(a, b);
         found_.push_back({lower, x, y, scene_.count(x), count(y), x == a ? image : image_index{} - image});
     }
-    // What a may meet until `latest`, into found_.
+    // Writes what a may meet until `latest` to found_.
     void gather(body a, double latest, bool has_changed) {
         this->for_each_own(a, has_changed, [&](body b, image_index image) {
             if (const time_bounds bounds = when(a, b, image, latest); bounds.lower <= latest && bounds.lower < never) {

@@ -1,4 +1,4 @@
-// The balls that have grazed something at the time at hand, and what else they meet at just that time.
+// The balls that have grazed something at the current time, and what else they meet at exactly that time.
 #pragma once
 
 #include <graze/run/moving_scene.hpp>
@@ -20,14 +20,14 @@ template <int N, class T>
     }
 }
 
-// A graze changes no velocity. So what had been predicted for the same time still happens; but it is computed from the
-// flight as it was before the graze, which nothing has rounded.
+// A graze changes no velocity. So events predicted for the same time still happen. They are computed from the flight as
+// it was before the graze, which nothing has rounded.
 template <mechanics M>
 class grazed_balls {
   public:
     void clear() noexcept { balls_.clear(); }
 
-    // Whether it still happens: each ball that has had an event since this was predicted has only grazed.
+    // Whether f still happens: each ball that has had an event since f was predicted has only grazed.
     [[nodiscard]] bool leave(const moving_scene<M>& scene, const predicted& f) const noexcept {
         return is_left(scene, f.a, f.count_a) && is_left(scene, f.b, f.count_b);
     }
@@ -37,7 +37,7 @@ class grazed_balls {
             scene.take_back(a, find(a)->before);
         }
     }
-    // Ball a has met something. before: as it was.
+    // Ball a has met something. before: its state before that.
     void note(const moving_scene<M>& scene, body a, const typename moving_scene<M>::memory& before) {
         const auto known = find(a);
         const bool grazed =

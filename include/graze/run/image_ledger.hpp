@@ -1,4 +1,4 @@
-// In a space of periods: how far each ball has been brought back, and which image it met last.
+// In a space with periods: how far each ball has been brought back, and which image it met last.
 #pragma once
 
 #include <graze/scene/body.hpp>
@@ -7,15 +7,15 @@
 
 namespace graze::inline v0_1::detail {
 
-// A mirror has met that image of what stands.
+// A mirror, a, has met that image of a plane or wall, b.
 struct passage {
     body a, b;
     image_index image;
     bool operator==(const passage&) const = default;
 };
 
-// Images are counted from where everything would be if nothing had ever been brought back. Empty where there is no
-// period; all is 0 then.
+// Images are counted from where everything would be if nothing had ever been brought back. Empty in a scene without
+// periods, where all counts are 0.
 class image_ledger {
   public:
     struct entry {
@@ -24,9 +24,9 @@ class image_ledger {
 
     explicit image_ledger(std::size_t balls = 0) : entries_(balls) {}
 
-    // So many periods ball a has gone back.
+    // How many periods ball a has gone back.
     [[nodiscard]] image_index gone(body a) const noexcept { return get(a).gone; }
-    // So many periods are between that image of b, another ball or what stands, and b itself, as a and b fly.
+    // How many periods there are between that image of b, a ball, plane or wall, and b itself, as a and b fly.
     [[nodiscard, gnu::always_inline]] image_index periods(body a, body b, image_index image) const noexcept {
         if (entries_.empty()) [[likely]] {
             return {};
@@ -53,7 +53,7 @@ class image_ledger {
     }
 
   private:
-    std::vector<entry> entries_; // of the balls; what stands has none
+    std::vector<entry> entries_; // of the balls alone
 };
 
 } // namespace graze::inline v0_1::detail

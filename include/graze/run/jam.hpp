@@ -11,18 +11,18 @@
 
 namespace graze::inline v0_1::detail {
 
-// A ball and the others among whom a jam is, at most four: a ball that a mirror presses into the corner of three planes
-// has so many. The list may end with no_body.
+// A jammed ball and the bodies that it meets, at most four: as many as a ball has that a mirror presses into the corner
+// of three planes. The list may end with no_body.
 using jammed_bodies = std::array<body, 5>;
 
-// Counts, for each ball, its events in a row with no more than four others, and how far time has come meanwhile. A jam
-// does not depend on other balls.
+// Counts, for each ball, its events in a row with no more than four others, and how far time advances meanwhile. Other
+// balls do not affect this.
 class jam_watch {
   public:
     jam_watch() = default;
     explicit jam_watch(body balls) : counts_(balls) {}
 
-    // Ball a has met b at about that time. True if so many of its events, `most`, have been with the same four or fewer
+    // Ball a has met b at about `now`. True if `most` of its events in a row have been with the same four or fewer
     // while time has advanced by no more than 2^-26 of itself.
     [[nodiscard]] bool note(body a, body b, double now, std::uint64_t most) noexcept {
         count& c = counts_[a];
@@ -46,7 +46,7 @@ class jam_watch {
             c.since -= by;
         }
     }
-    // Ball a and those with which its last events were.
+    // Ball a and the bodies of its last events.
     [[nodiscard]] jammed_bodies around(body a) const noexcept {
         jammed_bodies all{a};
         std::copy(counts_[a].others.begin(), counts_[a].others.end(), all.begin() + 1);

@@ -11,8 +11,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// The ball meets that image of b not before lower; without b, it leaves its shell then. contested: it may meet another
-// one before it certainly meets b. upper: the latest for what it meets.
+// The ball meets that image of b not before lower and, whatever it meets, not after upper; without b, it leaves its
+// shell at lower. contested: it may meet another body before it certainly meets b.
 struct plan {
     double lower = std::numeric_limits<double>::max();
     double upper = std::numeric_limits<double>::max();
@@ -24,8 +24,8 @@ struct plan {
     [[nodiscard]] bool is_to_leave() const noexcept { return b == no_body; }
 };
 
-// A moving scene, and each ball's surroundings in it. A pair belongs to that ball of the two of which the flight or the
-// list changed last.
+// A moving scene, and each ball's surroundings in it. A pair belongs to that one of its balls whose flight or list
+// changed last.
 template <mechanics M>
 class lookout {
   public:
@@ -65,7 +65,7 @@ class lookout {
     [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
     [[nodiscard]] std::uint32_t count(body b) const noexcept { return b < scene_.balls() ? scene_.count(b) : 0; }
 
-    // Around when a and b meet; never, if they don't or it is certainly later than `latest`.
+    // Bounds on when a and b meet; never, if they don't or it is certainly later than `latest`.
     [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, image_index image, double latest) const {
         constexpr time_bounds none{never, never};
         if (scene_.have_just_met(a, b, image)) {
@@ -76,8 +76,8 @@ class lookout {
         // not a number, or of mirrors, whose flights began before
         return bounds.lower < never && !(bounds.upper < start_) ? bounds : none;
     }
-    // f(b, image) for those whom a may meet in its shell and who belong to it: all of them, if it has changed.
-    // image_of(i, b): of b, the i-th on the list, in a scene that has a period.
+    // f(b, image) for the bodies that a may meet in its shell and whose pair belongs to a: all of them, if a has
+    // changed. image_of(i, b): the image of b, the i-th on the list, in a scene that has a period.
     template <class Image, class F>
     void for_each_own(body a, std::span<const body> list, Image image_of, bool has_changed, F f) const {
         for (std::size_t i = 0; i < list.size(); ++i) {
@@ -110,7 +110,7 @@ class lookout {
         }
     }
 
-    // The earliest of a's own, as `each` passes them on, until it leaves its shell at `end`.
+    // The earliest event of a with the bodies that `each` passes on, or leaving its shell at `end`.
     template <class Each>
     [[nodiscard]] plan earliest_of(body a, double end, Each each) const {
         plan p{never, end};
@@ -137,7 +137,7 @@ class lookout {
     }
     [[nodiscard]] plan look(body a, double now, bool has_changed) const {
         const shell_end<dimension> end = surroundings_.end(a, about(a), now, scene_.gone(a));
-        if (!end.known) { // it will have none
+        if (!end.known) { // it has no shell
             return {now, never};
         }
         return earliest_of(a, end.when, [&](auto f) { for_each_own(a, has_changed, f); });

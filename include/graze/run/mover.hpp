@@ -1,4 +1,4 @@
-// A ball of a run, and how another state of it compares with the one that it has.
+// A ball of a run, and how a new state of it compares with its present one.
 #pragma once
 
 #include <graze/formula/contact.hpp>
@@ -10,7 +10,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// last: whom it met last. stopped: it was jammed, and takes no part any more.
+// last: the body that it met last. stopped: it was jammed and no longer takes part.
 template <class State>
 struct mover {
     State state;
@@ -25,7 +25,7 @@ template <int N>
     return f.since == g.since && f.state.position == g.state.position && f.state.velocity == g.state.velocity;
 }
 
-// Whether g starts where f comes by then, but for rounding to floats.
+// Whether g starts where f is at that time, but for rounding to floats.
 template <int N>
 [[nodiscard]] bool is_on_the_way(const flight<N, double>& f, const flight<N, double>& g) {
     const auto there = position_at(f.state.position, f.state.velocity, g.since - f.since);

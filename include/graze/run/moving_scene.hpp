@@ -14,8 +14,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Balls, planes, walls and triangles in their canonical order, by which everything here is numbered, so that nothing
-// depends on the order in which the scene lists them.
+// Balls, planes, walls and triangles, numbered in their canonical order, so that nothing depends on the order in which
+// the scene lists them.
 template <mechanics M>
 class moving_scene {
   public:
@@ -37,7 +37,7 @@ class moving_scene {
 
     [[nodiscard]] const M& rules() const noexcept { return images_.rules(); }
     [[nodiscard]] bool is_periodic() const noexcept { return images_.is_periodic(); }
-    // Whether it is met at several places.
+    // Whether b has several images.
     [[nodiscard]] bool has_images(body b) const noexcept { return b < balls() || !standing_.is_plane(b); }
     // In doubles.
     [[nodiscard]] vec<dimension, double> period() const {
@@ -55,17 +55,17 @@ class moving_scene {
     // The number of a ball's events; a prediction made with another count is stale. An immovable ball's count never
     // changes.
     [[nodiscard]] std::uint32_t count(body a) const noexcept { return counts_[a]; }
-    // In a scene that has a period: so many of them it has gone back.
+    // In a scene that has a period: how many periods ball a has gone back.
     [[nodiscard]] image_index gone(body a) const noexcept { return ledger_.gone(a); }
     [[nodiscard]] int name(body a) const noexcept { return balls_.names[a]; }
 
-    // By the scene's own indices; of two balls the one first that comes first by its numbers.
+    // By the scene's own indices. Of two balls, the one that comes first by its numbers is named first.
     [[nodiscard]] scene_pair named(body a, body b) const noexcept {
         return b < balls() ? scene_pair{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
-    // Whether the two have just met: neither has had another event since, and both fly straight, so that they part.
-    // What meets an immovable ball changes nothing for that ball; it meets what stands once.
+    // Whether the two have just met: neither has had another event since, and both fly straight, so they part. Events
+    // change nothing for an immovable ball; it meets each plane or wall once.
     [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, image_index image = {}) const noexcept {
         if (b < balls() && balls_.movers[a].last != b && balls_.movers[b].last != a) [[likely]] {
             return false;
@@ -92,8 +92,8 @@ class moving_scene {
         });
     }
 
-    // Around when a and b meet, a < b; from the largest double on if they don't, or if that is certainly later than
-    // `latest` and the mechanics says so.
+    // Bounds on when a and b meet, a < b; from the largest double on if they don't, or if the mechanics says that it is
+    // certainly later than `latest`.
     [[nodiscard, gnu::always_inline]] time_bounds meet_until(body a, body b, image_index image, double latest) const {
         if (b < balls()) {
             return images_.meet_until(balls_.movers[a].state, balls_.movers[b].state, ledger_.periods(a, b, image),
@@ -109,12 +109,12 @@ class moving_scene {
         return is_watched(a) ? points_[a].first_at(rules(), standing_, balls_.movers[a].state, when) : no_body;
     }
 
-    // Ball a's state, and b's if it is a ball, after they have met; alone: neither meets anything else at that time.
+    // Gives a, and b if it is a ball, the state after they have met. alone: neither meets anything else at that time.
     void bounce(body a, body b, image_index image, const time& when, bool alone) {
         saying_who(a, b, [&] { change(a, b, image, when, alone); });
     }
 
-    // Ball a stays where its last event was; it does not meet `presser` any more.
+    // Ball a stays where its last event was and no longer meets `presser`.
     void stop(body a, body presser) {
         mover<state>& x = balls_.movers[a];
         x.state.state.velocity = make_vec<dimension>([](int) { return number(0); });
@@ -184,7 +184,7 @@ class moving_scene {
     auto saying_who(body a, body b, F f) const {
         return saying(f, [&] { return named(a, b); });
     }
-    // Whether a is a point that something standing may meet.
+    // Whether a is a point and there are planes or walls that it may meet.
     [[nodiscard]] bool is_watched(body a) const noexcept { return !points_.empty() && balls_.movers[a].point; }
 
     void bring_back(body a) {
@@ -238,8 +238,8 @@ class moving_scene {
     body first_standing_;               // the number of balls, which is asked for too often to be computed
     std::vector<std::uint32_t> counts_; // side by side, since they are read far more often than flights
     image_ledger ledger_;
-    std::vector<passage> passed_;        // immovable balls, and what stands that they have met
-    std::vector<point_among<M>> points_; // if there are any and something that they can meet
+    std::vector<passage> passed_;        // immovable balls, and the planes and walls that they have met
+    std::vector<point_among<M>> points_; // if there are any, and planes or walls that they can meet
 };
 
 } // namespace graze::inline v0_1::detail

@@ -12,8 +12,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// In canonical order of what they are within half a period of 0, so that nothing depends on the periods in which they
-// were given. names: their indices in the scene.
+// In canonical order of their images within half a period of 0, so that nothing depends on which images were given.
+// names: their indices in the scene.
 template <mechanics M>
 struct numbered_balls {
     std::vector<int> names;

@@ -12,8 +12,8 @@
 namespace graze::inline v0_1 {
 
 // Predictions and contacts in T by the formulas of `solve`, in variant V and root form F, each operation with T's own
-// error: nothing is promised of decisions, order or states. Of two balls of different times since, the earlier one is
-// first advanced to the later time, in T.
+// error: nothing is promised about decisions, order or states. Of two balls with different epochs, the earlier one is
+// first advanced to the later epoch, in T.
 template <int N, number T, variant V = variant::halved, root_form F = root_form::stable>
 requires field_number<T> && has_sqrt<T> && has_variant<V, T>
 struct plain_mechanics {
@@ -78,7 +78,7 @@ struct plain_mechanics {
         return {found.what, found.where, found.index};
     }
 
-    // In a space of periods: all in T.
+    // In a space with periods: all in T.
     constexpr std::array<std::int32_t, 3> wrap(state& a, const vec<N, T>& period) const {
         return bring_within(a.state.position, period);
     }
@@ -102,7 +102,7 @@ struct plain_mechanics {
     }
 
     [[nodiscard]] constexpr int order(const T& s, const T& t) const { return s < t ? -1 : t < s ? 1 : 0; }
-    // T itself where it is a double or less; otherwise widened by more than a conversion to double may round.
+    // t itself where T is a double or less; otherwise widened by more than the rounding of a conversion to double.
     [[nodiscard]] constexpr time_bounds bounds(const T& t) const {
         const double near = as_double(t);
         if constexpr (number_traits<T>::digits > 0 && number_traits<T>::digits <= 53) {
@@ -138,7 +138,7 @@ struct plain_mechanics {
     constexpr void bounce(state& a, state& b, const T& when) const {
         const T from = later(a, b);
         const auto s = solve<V, F>(ball_at(a, from), ball_at(b, from));
-        if (!is_collision(s.what)) { // where multiply-adds are fused here and were not in meet
+        if (!is_collision(s.what)) { // multiply-adds may be fused here and not in meet
             pass(a, when);
             pass(b, when);
             return;
@@ -216,7 +216,7 @@ struct plain_mechanics {
             a.since = when;
         }
     }
-    // A graze of which nothing is left.
+    // For a touch that rounding has undone: a flies on, with the epoch `when`.
     constexpr void pass(state& a, const T& when) const { leave(a, ball_at(a, when).position, a.state.velocity, when); }
 };
 

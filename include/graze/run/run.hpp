@@ -12,20 +12,20 @@
 
 namespace graze::inline v0_1 {
 
-// A run of a scene by mechanics M, from t = 0 on. Balls fly freely between their own events: nothing of a ball is
-// computed, or rounded, but by an event in which it takes part.
+// A run of a scene by mechanics M, from t = 0 on. Balls fly freely between their own events: only an event in which a
+// ball takes part computes or rounds anything of it.
 //
 // Order. The earliest event is next, as M orders times. Events of exactly the same time that share no ball are all
-// done; of those that share one, which only M's rounding or a choice can tell apart, the first in an order that depends
-// on the scene's numbers alone, and the others are predicted again, unless it was a graze, which changes no velocity;
-// the run counts them (outcome::choices). Where M cannot tell the order of two events that share no ball, either is
-// done first. The sequence and all states are those of the scene, whatever the order of its lists; of two balls whose
-// numbers are all the same, either may be called by the other's index. Rules. Two that have met are not offered to each
-// other again until one of them has had another event. A point stays on the side of a plane or wall from which it came,
-// wherever its position was rounded to. Balls that overlap and approach, at the start or later, are resolved at once
-// along their line of centres; a ball that cuts a plane or wall and goes deeper, likewise. A ball of infinite mass is a
-// mirror: nothing changes its flight. Nothing is lost: after an exception the run is as it was before the event at hand
-// (after it, if the observer threw), and advance may be called again.
+// done. Of those that share one, which only M's rounding or a choice can tell apart, the first is done, in an order
+// that depends on the scene's numbers alone, and the others are predicted again; after a graze, which changes no
+// velocity, they happen as well. The run counts them (outcome::choices). Where M cannot tell the order of two events
+// that share no ball, either is done first. The sequence and all states depend on the scene alone, not on the order of
+// its lists; of two balls whose numbers are all the same, either may be called by the other's index. Rules. Two that
+// have met are not offered to each other again until one of them has had another event. A point stays on the side of a
+// plane or wall from which it came, wherever its position was rounded to. Balls that overlap and approach, at the start
+// or later, are resolved at once along their line of centres; so is a ball that cuts a plane or wall and goes deeper. A
+// ball of infinite mass is a mirror: nothing changes its flight. Nothing is lost: after an exception the run is as it
+// was before the current event (after it, if the observer threw), and advance may be called again.
 template <mechanics M>
 class run {
   public:
@@ -111,10 +111,10 @@ class run {
     [[nodiscard]] int balls() const noexcept { return static_cast<int>(scene().balls()); }
     [[nodiscard]] const M& rules() const noexcept { return scene().rules(); }
 
-    // Gives every ball another state, f(index, state), as when velocities are turned round, and predicts anew. What
-    // overlaps is treated as at the start. Throws std::domain_error that names a ball whose state is not finite, is
-    // earlier than the last event (unless it is a mirror), or has another radius or mass. This and what f throws leave
-    // the run as it was.
+    // Gives every ball another state, f(index, state), as when velocities are turned round, and predicts anew. Overlaps
+    // are treated as at the start. Throws std::domain_error that names a ball whose state is not finite, is earlier
+    // than the last event (unless it is a mirror), or has another radius or mass. An exception, of f too, leaves the
+    // run as it was.
     template <class F>
     void restate(F f) {
         run changed(*this);
@@ -133,11 +133,11 @@ class run {
         *this = std::move(changed);
     }
 
-    // Counts time from `by` on: `since` of every ball becomes since - by, and limits and events are in that clock from
-    // now on. A time is rounded as finely as it is small, so a long run stays as fine as at its start if its clock is
-    // set back whenever it has come to twice a `by`. Nothing else changes. Returns false, and the run is as it was,
-    // where a since would not be exact (as long as some ball has had no event in the later half, in general), and while
-    // some events of the present time are done and others are not: try again some events later.
+    // Counts time from `by` on: `since` of every ball becomes since - by, and limits and events are on that clock from
+    // now on. Small times are rounded more finely, so a long run stays as fine as at its start if its clock is set back
+    // whenever it reaches twice `by`. Nothing else changes. Returns false, and leaves the run as it was, where a since
+    // would not be exact (in general as long as some ball has had no event in the later half), and while some events of
+    // the present time are done and others are not: try again some events later.
     [[nodiscard]] bool set_clock_back(const number& by) requires mechanics_of_clocks<M> {
         run changed(*this);
         if ((next_ != 0 && next_ != simultaneous_.size()) || !detail::set_clocks_back(changed.forecast_.scene(), by)) {
@@ -169,7 +169,7 @@ class run {
         done.why = ending::cascade;
         return std::move(done);
     }
-    // Those of them that can stop, stop.
+    // Stops those of the jam that can stop.
     void stop(const detail::jammed_bodies& jam, outcome& done) {
         run changed(*this);
         detail::stop_jam(changed.forecast_, jam, now_);

@@ -15,7 +15,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Not after `now`, the time of an event, as a state has it, which may be rounded to a float.
+// The time `now` of an event as a state holds it, perhaps rounded to a float; not after `now`.
 template <class T>
 [[nodiscard]] double as_states_have(double now) {
     if constexpr (std::floating_point<T>) {
@@ -84,7 +84,7 @@ template <mechanics M>
     }
 }
 
-// Throws std::domain_error for two mirrors that are due to meet.
+// Throws std::domain_error for two mirrors whose event is next.
 template <mechanics M>
 [[noreturn]] void refuse_mirrors(const moving_scene<M>& scene, const timed_event<typename M::time>& d) {
     std::ostringstream message;
@@ -113,7 +113,7 @@ template <mechanics M>
     return first ? a : second ? b : no_body;
 }
 
-// Names those of a jam that have not been named.
+// Names those of a jam that have not been named before.
 template <mechanics M>
 void name_jam(const moving_scene<M>& scene, const jammed_bodies& jam, outcome& done) {
     for (const body b : jam) {
@@ -127,7 +127,7 @@ void name_jam(const moving_scene<M>& scene, const jammed_bodies& jam, outcome& d
     }
 }
 
-// Those of a jam that can stop, stop.
+// Stops those of a jam that can stop.
 template <mechanics M>
 void stop_jam(forecast<M>& ahead, const jammed_bodies& jam, double now) {
     moving_scene<M>& scene = ahead.scene();

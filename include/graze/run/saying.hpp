@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// What f returns; what it throws says that it was about who(), a meeting.
+// What f returns. An exception of f names who(), the pair, as well.
 template <class F, class Who>
 auto saying(F f, Who who) {
     const auto said = [&](const std::exception& e) { return to_string(who()) + ": " + e.what(); };

@@ -16,7 +16,7 @@ inline constexpr body no_body = 0xffffffffU;
 using whole_periods = std::array<std::int32_t, 3>;
 
 // Which image of a body, in whole periods along each axis from where it would be if nothing had ever been brought back
-// by a period. Zeros in a scene without periods. Two axes share a word, of which a sum is that of both: it fits two
+// by a period. Zeros in a scene without periods. Two axes share a word, so that one sum adds both and an index fits two
 // registers.
 class image_index {
   public:

@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// How far from its centre a ball may be, whose numbers were rounded by no more than 2^-50 of them.
+// How far from its centre a ball may reach if its numbers were rounded by no more than 2^-50 of them.
 template <int N>
 [[nodiscard]] double reach_of(const ball<N, double>& b) noexcept {
     double far = 0;
@@ -19,8 +19,8 @@ template <int N>
     return b.radius * (1 + 0x1p-40) + far * 0x1p-44;
 }
 
-// f(a, b), a < b, for the balls that may overlap, all that do among them. Through cells, but for balls of numbers
-// beyond 2^400, which are compared with all.
+// f(a, b), a < b, for balls that may overlap, among them all that do. Finds them through cells; balls with numbers
+// beyond 2^400 are compared with all others.
 template <int N, class F>
 void for_each_close_pair(const std::vector<flight<N, double>>& balls, F f) {
     double largest = 0;

@@ -15,15 +15,15 @@
 
 namespace graze::inline v0_1 {
 
-// Who meets at that time, in an order that depends on the scene's numbers alone, and of two balls the one first that
-// comes first by its numbers; empty, as the time is, if nothing ever meets.
+// The pairs that meet at that time, in an order that depends on the scene's numbers alone; of two balls, the one that
+// comes first by its numbers is named first. Empty, as the time is, if nothing ever meets.
 template <int N, class T = double>
 struct earliest_events {
     std::optional<impact_time<N, T>> time;
     std::vector<scene_pair> events;
 };
 
-// All that happens at exactly the earliest time, or only the first of it in that order.
+// All events at exactly the earliest time, or only the first of them in that order.
 enum class simultaneous { all, first };
 
 namespace detail {
@@ -53,7 +53,7 @@ class earliest_finder {
     simultaneous wanted_;
 };
 
-// When a ball meets something, but for a triangle at an inner edge.
+// When a ball meets something; a triangle is not met at an inner edge.
 template <int N, class T, class S>
 [[nodiscard]] std::optional<impact_time<N, T>> time_outside(const ball<N, T>& x, const S& other, unsigned inner) {
     if constexpr (N == 3 && std::is_same_v<S, triangle<T>>) {
@@ -80,8 +80,8 @@ template <int N, class T>
 
 } // namespace detail
 
-// The first of all meetings of balls with balls, planes, walls and triangles, by time_of_impact: exact for every finite
-// input. Pairs that are not near each other are looked at only while nothing is known to happen sooner. Two balls that
+// The first of all collisions of balls with balls, planes, walls and triangles, by time_of_impact: exact for every
+// finite input. Pairs that are not near each other are examined only while no earlier event is known. Two balls that
 // overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17: radius is negative")
 // as check does, for a scene that has a period, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
 template <int N, std::floating_point T>

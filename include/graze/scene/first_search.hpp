@@ -1,4 +1,4 @@
-// The earliest of all that balls may do, found among neighbours.
+// The earliest event of all balls, found among neighbours.
 #pragma once
 
 #include <graze/scene/surroundings.hpp>
@@ -15,8 +15,8 @@ namespace graze::inline v0_1::detail {
 // 0 on, in the order of their numbers. bounds(a, b, latest): an enclosure of the time at which
 // they meet, from the largest double on if they don't or if it is certainly later than `latest`.
 //
-// Whoever meets somebody before its shell ends is on a list. So all shells that end before the earliest time known are
-// renewed, at their ends, until there is none.
+// If a ball meets another body before its shell ends, one of the two is on the other's list. So all shells that end
+// before the earliest time known are renewed, at their ends, until there is none.
 template <int N, class F>
 [[nodiscard]] std::vector<std::pair<body, body>> may_be_first(const std::vector<flight<N, double>>& balls,
                                                               standing_cells<N> standing, body bodies, F bounds) {

@@ -1,4 +1,4 @@
-// What a mechanics answers about images, in a space of periods or in one that has none.
+// What a mechanics answers about images, in a space with periods or without.
 #pragma once
 
 #include <graze/scene/body.hpp>
@@ -12,8 +12,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// `periods` says where the image of the second one is: so many from itself. None, and the mechanics is asked as if
-// there were no images.
+// `periods` says how many periods the image of the second one is from itself. If it is zero, the mechanics is asked as
+// if there were no images.
 template <mechanics M>
 class images {
   public:
@@ -22,7 +22,7 @@ class images {
     using state = typename M::state;
     using time = typename M::time;
 
-    // Throws std::domain_error if there is a period, and the mechanics knows none.
+    // Throws std::domain_error if there is a period and the mechanics does not support any.
     images(M m, const vec<dimension, number>& period, bool is_periodic)
         : mechanics_(std::move(m)), period_(period), is_periodic_(is_periodic) {
         if (is_periodic && !mechanics_of_periods<M>) {
@@ -42,7 +42,7 @@ class images {
         }
         return mechanics_.meet(a, b);
     }
-    // Doubles around that, as meet_until of a mechanics that has it.
+    // Doubles around that time, by meet_until if the mechanics has it.
     [[nodiscard, gnu::always_inline]] time_bounds meet_until(const state& a, const state& b, image_index periods,
                                                              double latest) const {
         if constexpr (requires { mechanics_.meet_until(a, b, latest); }) {
@@ -68,7 +68,7 @@ class images {
         }
         mechanics_.bounce(a, b, when);
     }
-    // f(s or its image), of what stands. A plane is its own image: its normal has no component along a period.
+    // f(s or its image) for a plane or wall s. A plane is its own image: its normal has no component along a period.
     template <class S, class F>
     auto with_image(const S& s, image_index periods, F f) const {
         if constexpr (mechanics_of_periods<M> && requires { s.edge; }) {

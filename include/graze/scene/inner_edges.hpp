@@ -5,8 +5,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether a triangle of which the edges in the mask (bit k: edge k) are inner is met at one of these, or at a corner in
-// which one of them ends.
+// Whether a triangle is met at an inner edge, or at a corner in which one ends. The mask says which edges are inner
+// (bit k: edge k).
 [[nodiscard]] constexpr bool is_inner(const wall_encounter& met, unsigned inner) noexcept {
     constexpr unsigned at_corner[3] = {0b101, 0b110, 0b011}; // edges 0 and 2, 1 and 2, 0 and 1
     const unsigned of = met.where == feature::edge     ? 1U << static_cast<unsigned>(met.index)

@@ -30,13 +30,13 @@ struct time_bounds {
 // adds who is compared, and is left as it was before the event.
 class undecided : public std::runtime_error {
   public:
-    // comparison: what is not known, as in "the order of two times". about: when, in the scene's time.
+    // comparison: what is not known, for instance "the order of two times". about: when, in the scene's time.
     explicit undecided(const std::string& comparison, double about)
         : std::runtime_error(comparison + " is undecided"), about_(about) {}
 
     // About when.
     [[nodiscard]] double about() const noexcept { return about_; }
-    // The meeting that was looked at; of two whose order was asked, the first and the second.
+    // The pair in question; if the order of two events was asked, the first and the second.
     [[nodiscard]] const std::optional<scene_pair>& first() const noexcept { return first_; }
     [[nodiscard]] const std::optional<scene_pair>& second() const noexcept { return second_; }
 
@@ -59,8 +59,8 @@ class undecided : public std::runtime_error {
 //   heading   the sign of u·n
 //   reach     when a point that comes nearer to the plane, or to that of the face, is in it
 //   turn_back the velocity reflected in the plane or the face; position and since stay
-// The last four are asked for points alone, which may be where several things stand, and which the rounding of a
-// position may carry across one.
+// The last four are asked for points alone. A point may be where several planes and walls are, and the rounding of its
+// position may carry it across one.
 template <class M, class S>
 concept mechanics_of_standing = requires(const M& m, const typename M::state& a, typename M::state& changed, const S& s,
                                          const typename M::time& t) {
@@ -75,7 +75,7 @@ concept mechanics_of_standing = requires(const M& m, const typename M::state& a,
 // dimension  N, 2 or 3
 // number     what the scene's numbers are made of; has a total order <, used to number balls by what they are
 // state      a ball in flight: flight<N, number>, or more
-// rounds     whether a position after a bounce may be another one than where the bounce was
+// rounds     whether a position after a bounce may differ from where the bounce was
 // exact      numbers in which sums and products of the states' numbers are those that the mechanics answers for
 // as_exact   a number as one of them
 // time       of an event, counted from the scene's t = 0
@@ -115,7 +115,7 @@ concept mechanics = requires(const M& m, const ball<M::dimension, typename M::nu
 &&mechanics_of_standing<M, plane<M::dimension, typename M::number>>&&
     mechanics_of_standing<M, wall<M::dimension, typename M::number>>;
 
-// Those that know triangles too: feature is which one of it is met, of a ball that meets it.
+// A mechanics that knows triangles too: feature says which feature of a triangle a ball meets, if it meets it.
 template <class M>
 concept mechanics_of_triangles = M::dimension == 3 &&
                                  mechanics_of_standing<M, triangle<typename M::number>>&& requires(
@@ -123,8 +123,8 @@ concept mechanics_of_triangles = M::dimension == 3 &&
     { m.feature(a, s) } -> std::same_as<wall_encounter>;
 };
 
-// set_back: counts a ball's time since from `by` on. False, and nothing changes, where that is no number of the
-// state's.
+// set_back: counts a ball's time since from `by` on. Returns false and changes nothing where the state's numbers cannot
+// hold that.
 template <class M>
 concept mechanics_of_clocks = requires(const M& m, typename M::state& changed, const typename M::number& by) {
     { m.set_back(changed, by) } -> std::same_as<bool>;

@@ -25,8 +25,8 @@ inline constexpr std::int32_t most_periods = 100;
                          static_cast<std::int32_t>(x >> 16 & 255) - 128};
 }
 
-// Lists of bodies, in one piece of memory. Balls that are in each other's lists are so both ways. image: which of a
-// body's images it is, where there are any. What changes lists neither allocates nor throws after make_room.
+// Lists of bodies, in one piece of memory. If one ball is on another's list, the other is on its list. image: which of
+// a body's images it is, where there are any. After make_room, no change of lists allocates or throws.
 class neighbour_lists {
   public:
     neighbour_lists() = default;

@@ -18,10 +18,10 @@
 
 namespace graze::inline v0_1::detail {
 
-// By what the parts are, or as they come.
+// By the parts' numbers, or as they come.
 enum class numbering { canonical, listed };
 
-// Balls, planes, walls and triangles, each in their order, are the bodies 0, 1, ... The scene must stay.
+// Balls, planes, walls and triangles, each in their order, are the bodies 0, 1, ... The scene must outlive this.
 template <int N, class T>
 class numbered_scene {
   public:
@@ -34,8 +34,8 @@ class numbered_scene {
         return static_cast<body>(balls_.size() + planes_.size() + walls_.size() + triangles_.size());
     }
 
-    // f(ball, other, who, inner) with a ball and another body, and the inner edges of a triangle. What f throws of a
-    // wall or a triangle says which.
+    // f(ball, other, who, inner) with a ball and another body, and the inner edges of a triangle. An exception of f
+    // about a wall or a triangle says which.
     template <class F>
     void with(body a, body b, F f) const {
         const ball<N, T>& x = scene_.balls[index(balls_, a)];

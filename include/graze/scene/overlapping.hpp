@@ -15,9 +15,9 @@
 namespace graze::inline v0_1 {
 
 // The pairs that overlap, exactly: balls with balls, planes, walls and triangles, in this order and by their indices. A
-// run resolves those that approach and leaves the others alone; a scene in which they are a mistake is one that this
-// shows. Of floats, doubles or an exact type. Throws std::domain_error as check does,
-// for a scene that has a period, and for parallel edges.
+// run resolves those that approach and leaves the others alone; if overlaps are a mistake in a scene, this function
+// shows them. For scenes of floats, doubles or an exact type. Throws std::domain_error as check does, for a scene that
+// has a period, and for parallel edges.
 template <int N, class T>
 requires is_binary_input<T> || exact_number<T>
 [[nodiscard]] std::vector<scene_pair> overlapping(const scene<N, T>& s) {

@@ -14,9 +14,9 @@ namespace graze::inline v0_1 {
 // What moves and what stands, all given at t = 0, in one unit of length and one of time. Owns nothing: the spans must
 // stay valid while the scene is used. Every part may be empty.
 //
-// period: along an axis of which it is L > 0 the scene repeats itself for ever, every L; 0 is none. Each ball, wall and
-// triangle is given by one of its images, and a ball meets whoever's image it meets first. No ball may be as wide as a
-// period, no wall or triangle longer than one, and no normal of a plane may have a component along one.
+// period: along an axis with period L > 0 the scene repeats itself for ever, every L; 0 is none. Each ball, wall and
+// triangle is given by one of its images, and a ball meets the image that it meets first, whichever it is. No ball may
+// be as wide as a period, no wall or triangle longer than one, and no plane's normal may have a component along one.
 template <int N, class T = double>
 struct scene {
     std::span<const ball<N, T>> balls{};
@@ -26,8 +26,8 @@ struct scene {
 };
 
 // In space there are triangles too. inner_edges: empty, or for each triangle the sum of 2^k over its edges k along
-// which another triangle goes on. At an inner edge, and at its corners, nothing is met: a ball that rolls over the seam
-// of two triangles is not tripped by it, though its height was rounded.
+// which another triangle goes on. Balls do not meet an inner edge or its corners: the seam of two triangles does not
+// trip a ball that rolls over it, though its height was rounded.
 template <class T>
 struct scene<3, T> {
     std::span<const ball<3, T>> balls{};

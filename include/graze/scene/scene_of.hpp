@@ -13,7 +13,7 @@
 
 namespace graze::inline v0_1 {
 
-// A scene that owns its shapes; wherever a scene is taken it is one. It can be moved, and not copied.
+// A scene that owns its shapes. Every function that takes a scene takes it. It can be moved, and not copied.
 template <int N, class T = double>
 class owned_scene : public scene<N, T> {
   public:

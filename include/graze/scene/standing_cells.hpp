@@ -14,8 +14,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// The planes and walls numbered from `first` on. Planes are looked at one by one; walls that are many are in a grid of
-// cells over all of them.
+// The planes and walls numbered from `first` on. Planes are examined one by one; if there are many walls, they are in a
+// grid of cells over all of them.
 template <int N>
 class standing_cells {
   public:
@@ -113,8 +113,8 @@ class standing_cells {
   private:
     using place = std::array<std::size_t, N>;
 
-    // False if for certain it is not. Boxes are wider than they have to be by more than they are rounded. The product
-    // with n, of which no component is above 1, is right to 2^-47 of the sum of all numbers in it.
+    // False if it certainly is not. Boxes are wider than necessary by more than their rounding. The product with n, no
+    // component of which is above 1, is right to 2^-47 of the sum of all numbers in it.
     [[nodiscard]] static bool is_near(const standing_extent<N>& p, const point& x, double reach) noexcept {
         double far = reach;
         bool inside = true;
@@ -192,7 +192,7 @@ class standing_cells {
     std::vector<standing_extent<N>> parts_;
     std::vector<body> endless_, bounded_;
     body first_ = 0;
-    std::size_t along_ = 0; // so many cells along each axis
+    std::size_t along_ = 0; // the number of cells along each axis
     point low_{}, per_length_{};
     std::vector<std::size_t> starts_; // of each cell in the following
     std::vector<body> inside_;

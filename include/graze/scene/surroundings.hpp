@@ -10,10 +10,10 @@
 
 namespace graze::inline v0_1::detail {
 
-// A ball's shell is a sphere of radius s around a point X, in which the ball's centre is until it leaves; that is an
-// event, by which it gets another shell. Two balls that touch have |X_a - X_b| <= R + s_a + s_b: those are on each
+// A ball's shell is a sphere of radius s around a point X, in which the ball's centre is until it leaves. Leaving is an
+// event, which gives the ball another shell. Two balls that touch have |X_a - X_b| <= R + s_a + s_b: those are on each
 // other's lists. This only selects the pairs to be examined: every pair that touches is among them, and surplus pairs
-// cost only time. Balls whose place doubles cannot tell belong to no cell and are examined with every other ball.
+// cost only time. Balls whose position doubles cannot tell are in no cell and are examined with every other ball.
 template <int N>
 class surroundings {
   public:
@@ -148,9 +148,9 @@ class surroundings {
             }
         }
     }
-    // Something happens.
+    // An event has happened.
     void note_event() noexcept { idle_ = 0; }
-    // Whether nothing has happened for long, which is said from time to time; and for very long.
+    // Whether nothing has happened for long, true from time to time; and for very long.
     [[nodiscard]] bool has_idled() const noexcept { return idle_ % patience() == patience() - 1; }
     [[nodiscard]] bool is_idle() const noexcept { return idle_ > 100'000 + 1000 * shells_.size(); }
     // From now on ball a is examined with every other ball.
@@ -161,8 +161,8 @@ class surroundings {
     }
 
   private:
-    // A shell and its ball are to reach so many distances between balls: then a dozen are on a list in space. A shell
-    // is not less than `narrowest` of them, lest it be left too often.
+    // How many distances between balls a shell and its ball are to reach: a dozen balls are then on a list in space. A
+    // shell is not less than `narrowest` of them, or the ball would leave it too often.
     static constexpr double crowded = 0.7, narrowest = 0.3;
     static constexpr std::size_t fewest = 2, most = N == 2 ? 16 : 32;
 
