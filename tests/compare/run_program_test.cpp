@@ -71,7 +71,7 @@ TEST_CASE("the photon: what every type keeps of it") {
     CHECK(digits_of("cpp_bin_float_50") == doctest::Approx(40).epsilon(0.1));
 #ifndef GRAZE_FEW_RUN_TYPES
     CHECK(digits_of("cpp_bin_float_100") == doctest::Approx(90).epsilon(0.1));
-    CHECK(all["types"].size() >= 7); // with GRAZE_FEW_RUN_TYPES four; those of libquadmath and QD may be missing
+    CHECK(all["types"].size() >= 7); // with GRAZE_FEW_RUN_TYPES two; those of libquadmath and QD may be missing
 #endif
 }
 
@@ -88,8 +88,9 @@ TEST_CASE("a thousand digits") {
 
 TEST_CASE("a type that goes wrong is told where, and pictures show it") {
     const bench here;
-    const ending e = here.run("run " GRAZE_SCENES "/sinai.json --collisions 60 --types float,double --digits 5 "
-                              "--timing 0 --picture digits.svg --paths paths.svg --beside float --json out.json");
+    const ending e =
+        here.run("run " GRAZE_SCENES "/sinai.json --collisions 200 --types double,cpp_bin_float_50 --digits 5 "
+                 "--timing 0 --picture digits.svg --paths paths.svg --beside double --json out.json");
     INFO(e.out << e.err);
     CHECK(e.code == 0);
     const auto all = nlohmann::json::parse(content_of(here / "out.json"));
@@ -97,15 +98,15 @@ TEST_CASE("a type that goes wrong is told where, and pictures show it") {
     for (const auto& t : all["types"]) {
         REQUIRE(t["first_wrong"].is_object());
         const std::size_t right = t["right"];
-        CHECK(right < 60);
+        CHECK(right < 200);
         CHECK(t["first_wrong"]["event"] == right + 1);
         CHECK(holds(e.out, t["first_wrong"]["text"].get<std::string>()));
     }
-    CHECK(all["types"][0]["right"] < all["types"][1]["right"]); // float before double
+    CHECK(all["types"][0]["right"] < all["types"][1]["right"]); // the type of fewer digits first
     for (const char* picture : {"digits.svg", "paths.svg"}) {
         const std::string svg = content_of(here / picture);
         CHECK(holds(svg, "<svg xmlns="));
-        CHECK(holds(svg, "float"));
+        CHECK(holds(svg, "double"));
         CHECK(holds(svg, "<path"));
     }
     const std::string paths = content_of(here / "paths.svg");
@@ -176,7 +177,7 @@ TEST_CASE("an interrupted run says what was not run, and finds no fault with it"
         CHECK(holds(e.out, "Interrupted"));
         const auto all = nlohmann::json::parse(content_of(here / "out.json"));
         CHECK(all["interrupted"] == true);
-        CHECK(all["types"].size() > 3);
+        CHECK(all["types"].size() >= 2); // those that were not run too
         for (const auto& t : all["types"]) {
             CHECK(t["first_wrong"].is_null());
             CHECK(!t["type"].get<std::string>().empty());
@@ -189,7 +190,7 @@ TEST_CASE("nothing collides") {
     const bench here;
     here.write("apart.json", R"({"dimension": 2, "balls": [
         {"position": [0, 0], "velocity": [-1, 0], "radius": 1}, {"position": [5, 0], "velocity": [1, 0], "radius": 1}]})");
-    const ending e = here.run("run apart.json --until 30 --types double,float --timing 0");
+    const ending e = here.run("run apart.json --until 30 --types double,cpp_bin_float_50 --timing 0");
     INFO(e.out << e.err);
     CHECK(e.code == 0);
     CHECK(holds(e.out, "nothing ever collides"));

@@ -5,8 +5,10 @@ namespace compare::run {
 // COMPARE_HAS_* and COMPARE_FEW_RUN_TYPES are set by the build.
 std::vector<runnable> all_runnables() {
     std::vector<runnable> list;
+#if !COMPARE_FEW_RUN_TYPES
     list.push_back(types::of_graze());
     list.push_back(types::of_float());
+#endif
     list.push_back(types::of_double());
 #if !COMPARE_FEW_RUN_TYPES
     list.push_back(types::of_long_double());

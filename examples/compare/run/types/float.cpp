@@ -3,6 +3,5 @@
 namespace compare::run::types {
 
 runnable of_float() { return built_in<float>(); }
-runnable of_double() { return built_in<double>(); }
 
 } // namespace compare::run::types
