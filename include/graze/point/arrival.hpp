@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether x moves in the plane of anything.
+// Whether x moves in the plane of any plane or wall.
 template <mechanics M>
 [[nodiscard]] bool slides(const M& m, const standing_parts<M>& standing, const typename M::state& x) {
     for (body b = standing.begin(); b < standing.end(); ++b) {
@@ -20,8 +20,8 @@ template <mechanics M>
     return false;
 }
 
-// All that x meets at exactly this time, and all along which it slides then. meet(b): when it meets b. side_along(b):
-// the side on which it keeps to b, in whose plane it moves; 0 if that is not known.
+// The planes and walls that x meets at exactly this time, and those along which it then slides. meet(b): when it meets
+// b. side_along(b): the side of b on which it stays while it moves in b's plane; 0 if that is not known.
 template <mechanics M, class Meet, class Side>
 [[nodiscard]] junction<M::dimension, typename M::exact>
 arrival(const M& m, const standing_parts<M>& standing, const typename M::state& x, const typename M::time& when,
@@ -59,8 +59,8 @@ arrival(const M& m, const standing_parts<M>& standing, const typename M::state& 
     return {std::move(cones), standing.exactly(m, x.state.velocity)};
 }
 
-// A point that left b, but is rounded to beyond it and comes back beside it, has been as near to b's border as rounding
-// goes: what stands at that border. Empty if it comes back inside b. before: the point before it met b.
+// A point that left b, was rounded to beyond it and comes back beside it, has been as near to b's border as rounding
+// can tell. The planes and walls at that border; empty if the point comes back inside b. before: before it met b.
 template <mechanics M, class Side>
 [[nodiscard]] std::optional<junction<M::dimension, typename M::exact>>
 arrival_at_border(const M& m, const standing_parts<M>& standing, const typename M::state& before,

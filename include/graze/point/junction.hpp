@@ -14,11 +14,11 @@
 namespace graze::inline v0_1::detail {
 
 // Seen from so near that only directions are left, every plane and wall at the point is a cone with its apex there, and
-// the point's way is a line. That line leads through the apex until the point meets its first wall: one of those that
-// it can come to first if it is shifted by less than any number, those that it meets inside before those that it meets
-// on their border, and of equals the first in canonical order. From then on the line is the shifted one, and bounces
-// off a cone wherever it comes to one. All signs are those of X, in which nothing is rounded but what X rounds;
-// velocities are those with which the run goes on.
+// the point's way is a line. The line leads through the apex until the point meets its first wall. That is one which a
+// way shifted by less than any number can reach first; walls that the point meets inside come before those that it
+// meets on their border, and equals are in canonical order. From then on the line is the shifted one. It bounces off
+// each cone that it comes to. All signs are computed in X, so only X's own operations round; velocities are those with
+// which the run goes on.
 template <int N, class X>
 class junction {
   public:
@@ -37,13 +37,13 @@ class junction {
     [[nodiscard]] body next() const noexcept { return next_; }
     [[nodiscard]] std::size_t size() const noexcept { return cones_.size(); }
 
-    // Whether the point, on its way in along u, does not reach one of them, for it slides on the other side of what
-    // stands between.
+    // Whether the point, on its way in along u, cannot reach one of them, because it slides on the other side of
+    // another that is between.
     [[nodiscard]] bool is_beyond_reach(body standing, const direction& u) const {
         return keeps_aside() && !is_reached(*find(standing), u);
     }
 
-    // The point has had another event than a bounce here: what it met last may be met again.
+    // The point has had an event other than a bounce here: it may meet again what it met last.
     void leave_none() noexcept { left_ = no_body; }
 
     // The point goes on with this velocity.
@@ -64,7 +64,7 @@ class junction {
         } else {
             place_ = along(*met, crossing(*met, u));
         }
-        for (cone<N, X>& c : cones_) { // the side on which the point now is, if it is not just in that plane
+        for (cone<N, X>& c : cones_) { // the side on which the point now is, unless it is in that plane
             if (const int side = is_of(c, standing) ? 0 : graze::sign(graze::dot(place_, c.normal)); side != 0) {
                 c.side = side;
             }
@@ -72,7 +72,7 @@ class junction {
         head(after);
     }
 
-    // f(standing, side) with the sides on which the point leaves what it is at.
+    // f(standing, side) with the sides on which the point leaves the planes and walls here.
     template <class F>
     void leave(const direction& u, F f) const {
         for (const cone<N, X>& c : cones_) {
@@ -126,7 +126,7 @@ class junction {
     [[nodiscard]] bool is_reached(const cone<N, X>& c, const direction& u) const {
         return c.way == approach::to_border || shift_into(c, cones_, u, u);
     }
-    // Whether the point moves on a known side along something, beyond which it reaches nothing.
+    // Whether the point slides on a known side of a plane or wall: it reaches nothing beyond that.
     [[nodiscard]] bool keeps_aside() const noexcept {
         return std::any_of(cones_.begin(), cones_.end(),
                            [](const auto& c) { return c.way != approach::across && c.side != 0; });
@@ -136,7 +136,7 @@ class junction {
     [[nodiscard]] direction crossing(const cone<N, X>& c, const direction& u) const {
         return magnitude(graze::dot(u, c.normal)) * place_ + magnitude(graze::dot(place_, c.normal)) * u;
     }
-    // In the plane only two directions are in a cone, of which the edge's number is the shortest.
+    // In 2D a cone has only two directions; the edge's number is the shortest for them.
     [[nodiscard]] static direction along(const cone<N, X>& c, direction y) {
         if constexpr (N == 2) {
             const direction edge = perpendicular(c.normal);

@@ -6,14 +6,14 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether x is on s or on the side on which it does not belong.
+// Whether x is on s, or on the side of s on which it does not belong.
 template <mechanics M, class S>
 [[nodiscard]] bool is_beyond(const M& m, const typename M::state& x, const S& s, int side) {
     return m.side(x, s) * side <= 0;
 }
 
-// The side of b on which a point belongs that was at `before`, on the kept side of b, and at that time has met `met`,
-// or a ball, and become x; 0 where it is on that side, or has come past b.
+// A point was at `before`, on the kept side of b, met `met` or a ball at that time, and became x. The side of b on
+// which it belongs; 0 where it is on that side, or has come past b.
 template <mechanics M>
 [[nodiscard]] int side_lost(const M& m, const standing_parts<M>& standing, const typename M::state& before,
                             const typename M::state& x, const typename M::time& when, body met, body b, int kept) {
@@ -36,7 +36,7 @@ template <mechanics M>
             if (side == 0 || m.side(x, s) == side || !standing.is_at(m, b, standing.crossing(m, b, x, before))) {
                 return 0;
             }
-            // Where it comes back to b's plane from where it really met that may be beside b.
+            // From where it really met `met`, it may come back to b's plane beside b.
             const bool comes_back = met != no_body && m.heading(x, s) * side < 0;
             return !comes_back ||
                            standing.is_at(m, b, standing.crossing(m, b, standing.crossing(m, met, before, before), x))

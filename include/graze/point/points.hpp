@@ -1,4 +1,4 @@
-// Balls of radius 0 among planes and walls: what they meet at an instant, and on which side of what they stay.
+// Balls of radius 0 among planes and walls: what they meet at an instant, and on which sides they stay.
 #pragma once
 
 #include <graze/point/arrival.hpp>
@@ -13,11 +13,11 @@ namespace graze::inline v0_1::detail {
 
 // What a run knows of one point beside its state.
 //
-// Two things can bring a point to several planes and walls at once. They really meet at one place: then all of them are
-// met at exactly the same time, and a junction tells what happens, by the exact directions. Or a position was rounded,
-// which may carry a point beyond what it had not reached, or had just left: then its side of that is kept until it is
-// there, and if it heads for the other side, it is turned back. A point that slides keeps the side on which it came to
-// do so, of what it slides along and of what is in the same plane.
+// Two things can bring a point to several planes and walls at once. These may really meet at one place: then the point
+// meets all of them at exactly the same time, and a junction decides what happens, by the exact directions. Or rounding
+// may carry the point beyond a wall that it had not reached, or had just left: then its side of that wall is kept until
+// it is there, and if it heads for the other side, it is turned back. A point that slides keeps the side on which it
+// began to, of what it slides along and of what is in the same plane.
 template <mechanics M>
 class point_among {
   public:
@@ -26,7 +26,7 @@ class point_among {
     using parts = standing_parts<M>;
     using junction_here = junction<M::dimension, typename M::exact>;
 
-    // When it meets b, which it has not just met.
+    // When the point meets b, which it has not just met.
     [[nodiscard]] std::optional<time> meet(const M& m, const parts& standing, const state& x, body b) const {
         std::optional<time> when = meet_whatever_side(m, standing, x, b);
         const bool is_now = here_ && here_->has(b);
@@ -36,7 +36,7 @@ class point_among {
         return when;
     }
 
-    // Which of those that it meets at exactly this time is the first.
+    // Which of the planes and walls that it meets at exactly this time is the first.
     [[nodiscard]] body first_at(const M& m, const parts& standing, const state& x, const time& when) const {
         if (here_ && here_->next() != no_body) {
             return here_->next();
@@ -46,7 +46,7 @@ class point_among {
         return met.next();
     }
 
-    // It meets b at that time; alone: and nothing else.
+    // It meets b at that time. alone: it meets nothing else then.
     void bounce(const M& m, const parts& standing, state& x, body b, const time& when, bool alone) {
         const state before = x;
         if (here_ && here_->next() == b) {
@@ -71,7 +71,7 @@ class point_among {
         note_sliding(m, standing, x);
     }
 
-    // It has met a ball at that time and is now x; last is what it met before. alone: and nothing else.
+    // It has met a ball at that time and is now x. last: what it met before. alone: it meets nothing else then.
     void meet_ball(const M& m, const parts& standing, const state& before, const state& x, body last, const time& when,
                    bool alone) {
         const bool was_there = (here_ || is_standing(standing, last)) && m.order(when, m.now(before)) == 0;
@@ -95,7 +95,7 @@ class point_among {
         note_sliding(m, standing, x);
     }
 
-    // It has been given another state, which is still on its way or not.
+    // It has been given another state. on_the_way: that state is still on its way.
     void restate(const M& m, const state& x, bool on_the_way) {
         leave_junction(m, x);
         if (!on_the_way) {
@@ -112,7 +112,7 @@ class point_among {
         return b != no_body && b >= standing.begin();
     }
 
-    // As if nothing stood between it and b.
+    // meet as if no plane or wall were between it and b.
     [[nodiscard]] std::optional<time> meet_whatever_side(const M& m, const parts& standing, const state& x,
                                                          body b) const {
         if (here_ && here_->has(b)) {
@@ -142,7 +142,7 @@ class point_among {
         }
     }
 
-    // f(b, side) for all of which the point, now x, keeps a side.
+    // f(b, side) for all planes and walls of which the point, now x, keeps a side.
     template <class F>
     void for_each_side(const M& m, const state& x, F f) const {
         kept_.for_each([&](body b, int side) {
@@ -154,7 +154,7 @@ class point_among {
             here_->leave(velocity(m, x), f);
         }
     }
-    // The side of b, in whose plane x moves: that of anything in this plane.
+    // The side of b, in whose plane x moves: its side of any plane or wall in this plane.
     [[nodiscard]] int side_along(const M& m, const parts& standing, const state& x, body b) const {
         int result = 0;
         for_each_side(m, x, [&](body c, int side) {
@@ -188,8 +188,8 @@ class point_among {
         }
     }
 
-    // Keeps the sides from which the rounding of its position has carried a point that was at `before` and, at that
-    // time, has become x, and those on which it goes on sliding; forgets those on which it is.
+    // For a point that was at `before` and has become x at that time: keeps the sides from which the rounding of its
+    // position has carried it, and those on which it goes on sliding; forgets those on which it is.
     void keep_sides(const M& m, const parts& standing, const state& before, const state& x, const time& when,
                     body met) {
         const auto is_elsewhere = [&](body b) { return b != met && !(here_ && here_->has(b)); };
@@ -208,7 +208,7 @@ class point_among {
 
     kept_sides kept_;
     std::optional<junction_here> here_;
-    bool keeps_aside_ = false; // whether it slides on a known side of anything
+    bool keeps_aside_ = false; // whether it slides on a known side of a plane or wall
 };
 
 } // namespace graze::inline v0_1::detail

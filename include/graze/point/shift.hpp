@@ -1,4 +1,4 @@
-// A plane or a wall as a cone, and by which infinitesimal shifts a way through its apex meets it first.
+// A plane or a wall as a cone, and the infinitesimal shifts by which a way through its apex meets it first.
 #pragma once
 
 #include <graze/formula/wall_features.hpp>
@@ -12,11 +12,11 @@
 
 namespace graze::inline v0_1::detail {
 
-// How a point comes to a plane or wall: across its plane; in its plane, to its border, which it grazes; or along it all
-// the way, which is no event.
+// How a point comes to a plane or wall: across its plane; in its plane, to its border, which it then grazes; or along
+// it all the way, which is no event.
 enum class approach : std::uint8_t { across, to_border, along };
 
-// What stands, seen from one of its points: the directions y with y·normal = 0 and y·inward >= 0 for the borders on
+// A plane or wall, seen from one of its points: the directions y with y·normal = 0 and y·inward >= 0 for the borders on
 // which that point is. side: the sign of the side on which a moving point is; 0 if it is in the plane and no side is
 // known.
 template <int N, class X>
@@ -29,7 +29,7 @@ struct cone {
     int borders = 0;
 
     [[nodiscard]] bool is_bordered() const noexcept { return borders > 0; }
-    // Whether a direction in its plane leads along it, its borders included or not.
+    // Whether a direction in its plane is in the cone, with its borders or without.
     [[nodiscard]] bool holds(const vec<N, X>& y) const { return within(y, 0); }
     [[nodiscard]] bool holds_inside(const vec<N, X>& y) const { return within(y, 1); }
 
@@ -66,8 +66,8 @@ template <int N, class X>
     return graze::sign(X(graze::dot(from, u))) < 0;
 }
 
-// Directions in the plane of c, at least one between any two of these lines, which are left out: its own borders, where
-// it meets the planes of the others, and where the others' borders throw their shadows if light falls along u.
+// Directions in the plane of c, at least one between any two of these lines, but none on them: c's own borders, its
+// intersections with the planes of the others, and the projections of the others' borders along u.
 template <int N, class X>
 [[nodiscard]] std::vector<vec<N, X>> directions_in(const cone<N, X>& c, const std::vector<cone<N, X>>& others,
                                                    const vec<N, X>& u) {
@@ -93,7 +93,7 @@ template <int N, class X>
                 add(graze::cross(border, u));
             }
         }
-        std::vector<vec<N, X>> result; // not the middle, from which symmetric walls lead to edges again
+        std::vector<vec<N, X>> result; // not the middle: from there symmetric walls lead to edges again
         for (std::size_t i = 0; i < lines.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 if (const auto between = X(1009) * lines[i] + X(613) * lines[j];
@@ -120,8 +120,8 @@ template <int N, class X>
     return found != directions.end() ? *found : none;
 }
 
-// Whether a way along u, shifted from the apex to a direction d in c, comes there without having met `other`. beside:
-// it may have passed its plane where `other` is not.
+// Whether a way along u, shifted from the apex to a direction d in c, gets there without meeting `other`. beside: it
+// may pass the plane of `other` beside `other`.
 template <int N, class X>
 [[nodiscard]] bool is_free(const cone<N, X>& c, const cone<N, X>& other, const vec<N, X>& d, const vec<N, X>& u,
                            bool beside) {
@@ -137,9 +137,9 @@ template <int N, class X>
     return beside && graze::sign(speed) != 0 && !other.holds(magnitude(speed) * d - magnitude(height) * u);
 }
 
-// A shift from the apex to a place inside c, such that a way along u, which led to the apex, comes to c before all
-// others: rather one that passes none of their planes, else one that passes beside them. Of those one for which the way
-// along `after`, on which the point leaves c, leaves what the point slid along. Empty if others stand before all of c.
+// A shift from the apex to a place inside c, by which a way along u, which led to the apex, comes to c before all
+// others. Preferably it passes none of their planes, else it passes beside them; and preferably the way along `after`,
+// on which the point leaves c, leads away from what the point slid along. Empty if others hide all of c.
 template <int N, class X>
 [[nodiscard]] std::optional<vec<N, X>> shift_into(const cone<N, X>& c, const std::vector<cone<N, X>>& all,
                                                   const vec<N, X>& u, const vec<N, X>& after) {

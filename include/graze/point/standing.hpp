@@ -41,7 +41,7 @@ class standing_parts : public standing_shapes<M> {
                : sign < 0 ? place{height * velocity - speed * x.sum, -speed * x.over}
                           : place{speed * x.sum - height * velocity, speed * x.over};
     }
-    // Whether b, its borders included, is at a place in its plane; or below a place beside that.
+    // Whether b, its borders included, contains a place in its plane, or the foot of a place beside its plane.
     [[nodiscard]] bool is_at(const M& m, body b, const place& x) const {
         const auto borders = borders_at(m, b, x);
         return std::all_of(borders.begin(), borders.end(), [](const border& k) { return k.inside >= 0; });
@@ -91,7 +91,7 @@ class standing_parts : public standing_shapes<M> {
             }
         });
     }
-    // b, seen from a place of its own; without one, as if that were anywhere inside.
+    // b seen from a place x in b; without x, as from any place inside.
     [[nodiscard]] cone<dimension, exact> cone_at(const M& m, body b, int side, approach way,
                                                  const std::optional<place>& x) const {
         cone<dimension, exact> result{b, side, way, normal_of(m, b), {}, 0};

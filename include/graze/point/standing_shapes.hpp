@@ -41,7 +41,7 @@ class standing_shapes {
     using exact = typename M::exact;
     using state = typename M::state;
 
-    // Throws std::domain_error for triangles of which M knows nothing.
+    // Throws std::domain_error for triangles if M does not support them.
     standing_shapes(const scene<dimension, number>& s, body first)
         : plane_names_(canonical_order(s.planes)), wall_names_(canonical_order(s.walls)),
           triangle_names_(canonical_order(triangles_of(s), inner_edges_of(s))), planes_(sorted(s.planes, plane_names_)),
@@ -70,7 +70,7 @@ class standing_shapes {
         }
         return i < planes_.size() ? f(planes_[i]) : f(walls_[i - planes_.size()]);
     }
-    // A ball of that name and b, by the scene's own indices.
+    // A ball with that name, and b, by the scene's own indices.
     [[nodiscard]] scene_pair named(int ball, body b) const noexcept {
         std::size_t i = b - first_;
         if (i < planes_.size()) {
