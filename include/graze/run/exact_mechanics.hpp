@@ -71,7 +71,7 @@ struct exact_mechanics {
             const auto count = static_cast<T>(image.periods[static_cast<std::size_t>(i)]);
             const T there = w.corner[i] + count * image.period[i];
             if (!(dyadic(there) == dyadic(w.corner[i]) + dyadic(count) * dyadic(image.period[i]))) {
-                throw std::range_error("the image in another period is not at a number");
+                throw std::range_error("the image in another period has a corner that is no number of this type");
             }
             w.corner[i] = there;
         }

@@ -31,7 +31,7 @@ class moving_scene {
           ledger_(is_periodic() ? s.balls.size() : 0),
           points_(balls_.has_points() && bodies() > balls() ? balls() : 0) {
         if (is_periodic() && !points_.empty() && !(s.walls.empty() && triangles_of(s).empty())) {
-            throw std::domain_error("period: points that meet walls have none");
+            throw std::domain_error("period: points that meet walls are not supported");
         }
     }
 
