@@ -1,12 +1,12 @@
-// The contact of two movers from doubles, each component with a proven error.
+// The contact of two movers by doubles, each component with a proven error.
 //
 // y = Δx + Δu τ is a sum of two doubles, s = -y·Δu, and then
 //   position  x + u τ        normal  y/R        velocity  u_a + φ_a y/R,  u_b - φ_b y/R,  φ_a = 2 (s/R) m_b/(m_a + m_b)
 // ((13), (20), (23) with (29): ⟨Δu,X̂⟩ = -s/R). Of an overlap τ = 0 and R is |Δx|.
 //
-// take(x, i, j) is called with components i and j, as components.hpp counts them, as lanes; take(x, i) with one. If no
-// bounds are known the functions return false and have called nothing. mass_a, mass_b: 1 and 0 where ball a's mass is
-// infinite, 0 and 1 where b's.
+// take(x, i, j) is called with two components as lanes, i and j as components.hpp counts them; take(x, i) with one. If
+// no bounds are known the functions return false and have called nothing. mass_a, mass_b: 1 and 0 if ball a's mass is
+// infinite, 0 and 1 if ball b's is.
 #pragma once
 
 #include <graze/contact/lane_steps.hpp>
@@ -19,7 +19,7 @@ namespace graze::inline v0_1::detail {
     return mass == 0 || within_powers<-200, 200>(mass);
 }
 
-// y with its low parts, of y2 lane 1 alone, and R = its norm.
+// y with its low parts (of y2 only lane 1), and R = |y|.
 template <bool Fused>
 struct lane_contact {
     const lane_motion& motion;
@@ -64,7 +64,7 @@ template <bool Fused, int N, class T, class F>
     }
 }
 
-// Where two balls are at the contact.
+// The positions of two balls at the contact.
 template <int N, class T, bool Fused, class F>
 [[gnu::always_inline]] inline void bound_positions(const ball<N, T>& a, const ball<N, T>& b,
                                                    const newton_approach<Fused>& r, F& take) noexcept {
@@ -100,7 +100,7 @@ bounded_position(const lanes& x, const lanes& u, const lane_time<Fused>& t, doub
     return {sum.value, low, 0x1p-104 * absolute(x) + absolute(u) * of_time + underflow};
 }
 
-// Where two flights are, each from its own start.
+// The positions of two flights, each from its own start.
 template <int N, class T, bool Fused, class F>
 [[gnu::always_inline]] inline void bound_positions(const flight<N, T>& a, const flight<N, T>& b,
                                                    const lane_time<Fused>& time_a, const lane_time<Fused>& time_b,
@@ -146,7 +146,7 @@ template <bool Fused, moving B, class F>
     return true;
 }
 
-// Normal and velocities of two movers that overlap and approach, and where flights are when both have started.
+// The normal and velocities of two movers that overlap and approach, and the positions of flights at the later start.
 //
 // y = Δx exactly, |yl| <= u |yh|. The low terms of |Δx|² add up to at most 5.1 u |Δx|², with at most 6 roundings each,
 // so that it is right to 31 u², relatively. One correction of the root in doubles leaves 15.5 u² of that, 6.3 u² of the

@@ -28,7 +28,7 @@ constexpr void check_masses_of(const B& a, const B& b) {
     }
 }
 
-// Components that doubles have left open, of a hit or an overlap, by words and integers. Returns the stage.
+// The components of a hit or an overlap that doubles left open, by words and integers. Returns the stage.
 template <moving B>
 [[nodiscard, gnu::noinline]] stage complete_further(contact_of_movers<B>& c, component_set open_components,
                                                     encounter what, const B& a, const B& b) {

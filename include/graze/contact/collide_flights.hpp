@@ -20,7 +20,7 @@ struct clock_of_flight {
         const auto sum = two_sum(static_cast<double>(since), time.high);
         return {sum.value, sum.error + time.low, 1.01 * time.error + 0x1p-104 * absolute(sum.value)};
     }
-    // Rounds the time, if it is wanted, and returns what is left.
+    // Rounds the time, if it is wanted, and returns the other components.
     template <class P, int N, class Shape>
     [[nodiscard]] constexpr component_set without_time(wall_contact<N, T>& c, component_set wanted, encounter what,
                                                        int number, P pair, const ball<N, T>& b,

@@ -1,4 +1,4 @@
-// The contact of a flight and an image of another one, in a space of periods.
+// The contact of a flight and an image of another one, in a space with periods.
 #pragma once
 
 #include <graze/contact/collide_balls.hpp>
@@ -13,8 +13,8 @@ namespace graze::inline v0_1::detail {
 inline constexpr component_set position_components =
     three_from(contact_component::position_a) | three_from(contact_component::position_b);
 
-// Where two flights really are when their stand-ins hit, which they do at about `time` from their start. False if
-// nothing is known.
+// The real positions of two flights when their stand-ins hit, at about `time` from their start. False if nothing is
+// known.
 template <int N, class T>
 struct position_step {
     rounded_components<N, T>& taken;
@@ -34,7 +34,7 @@ struct position_step {
     }
 };
 
-// Fills in the positions that doubles are certain of; the others are returned.
+// Fills in the positions of which doubles are certain; returns the others.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] component_set positions_in_doubles(contact<N, T>& c, const flight<N, T>& a,
                                                                 const flight<N, T>& b,
@@ -88,8 +88,8 @@ template <int N, class T>
                  from_earlier<big_integer>{pair.start()});
 }
 
-// The contact of a and the image of b that is so many periods away, every component correctly rounded, positions where
-// each of the two comes by itself.
+// The contact of a and an image of b that is some periods away, every component correctly rounded. Each position is
+// that of the ball itself, not of an image.
 template <int N, class T>
 [[nodiscard]] std::optional<contact<N, T>> collide_image(const flight<N, T>& a, const flight<N, T>& b,
                                                          const image_shift<N, T>& image) {

@@ -42,11 +42,11 @@ template <class P, int N, class T, class Shape>
     }
 }
 
-// Times as they come, from the instant of the positions.
+// Times as they are, from the instant of the positions.
 struct own_clock {
     [[nodiscard]] bounded_word operator()(const bounded_word& time) const noexcept { return time; }
     [[nodiscard]] bounded<double> operator()(const bounded<double>& time) const noexcept { return time; }
-    // What is left to be rounded by integers.
+    // The components that integers have to round.
     template <class... Pair>
     [[nodiscard]] constexpr component_set without_time(auto&, component_set wanted, const Pair&...) const noexcept {
         return wanted;

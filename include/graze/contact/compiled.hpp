@@ -1,4 +1,4 @@
-// The cold stages of contacts, which graze::compiled contains and a unit need not compile.
+// The cold stages of contacts: graze::compiled contains them, so that a unit need not compile them.
 #pragma once
 
 #include <graze/contact/collide_balls.hpp>

@@ -15,8 +15,8 @@ enum class wall_component { position = 1, point = 4, normal = 7, velocity = 10 }
 
 [[nodiscard]] constexpr bool has_time(component_set wanted) noexcept { return (wanted & 1U) != 0; }
 
-// x[i] = f(i) for the components of x that are wanted; its first one has the number `first`. Whatever f takes from the
-// workspace is given back.
+// x[i] = f(i) for the wanted components of x, the first of which has the number `first`. Gives back what f takes from
+// the workspace.
 template <int N, class T, class Part, class F>
 constexpr void fill(vec<N, T>& x, component_set wanted, Part first, workspace* room, F f) {
     const component_set mine = wanted >> static_cast<unsigned>(first);

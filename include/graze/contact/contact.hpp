@@ -8,10 +8,10 @@
 
 namespace graze::inline v0_1 {
 
-// Of two balls, each component the exact value rounded once, to nearest with ties to even. time: from the instant at
-// which the positions are given, τ >= 0. position_a, position_b: of the centres then. normal: the unit vector from b to
-// a; zero when two points meet. velocity_a, velocity_b: after the impact; of a graze, and of a ball of infinite mass,
-// those before, bit for bit. An exact zero is +0 and what is beyond the largest T an infinity.
+// The contact of two balls, each component the exact value rounded once, to nearest with ties to even. time: from the
+// instant at which the positions are given, τ >= 0. position_a, position_b: the centres then. normal: the unit vector
+// from b to a; zero when two points meet. velocity_a, velocity_b: after the impact; for a graze, and for a ball of
+// infinite mass, unchanged, bit for bit. An exact zero is +0; a value that rounds beyond the largest T is an infinity.
 template <int N, class T = double>
 struct contact {
     T time{};
@@ -22,10 +22,10 @@ struct contact {
     [[nodiscard]] friend constexpr bool operator==(const contact&, const contact&) = default;
 };
 
-// Of a ball and a plane, a wall or a triangle, rounded alike. position: of the centre then. point: where the plane or
-// wall is touched; of an overlap the point of it that is nearest to the centre. normal: the unit vector from there to
-// the ball; zero when a point grazes a border. feature, index: which one of the wall or triangle is met, as in
-// wall_encounter; of a plane always the face.
+// The contact of a ball and a plane, a wall or a triangle, rounded alike. position: the centre then. point: where the
+// plane or wall is touched; for an overlap its point nearest to the centre. normal: the unit vector from there to the
+// ball; zero when a point grazes a border. feature, index: which feature of the wall or triangle is met, as in
+// wall_encounter; for a plane always the face.
 template <int N, class T = double>
 struct wall_contact {
     T time{};
@@ -40,7 +40,7 @@ struct wall_contact {
 
 namespace detail {
 
-// x, a zero as +0: by its bits, since with -fno-signed-zeros x + 0 and x == 0 ? 0 : x are x.
+// x, with a zero as +0: by its bits, since with -fno-signed-zeros x + 0 and x == 0 ? 0 : x are x.
 template <class T>
 [[nodiscard]] constexpr T with_plain_zero(const T& x) noexcept {
     return from_bits<T>(is_zero(x) ? 0 : bits_of(x), false);

@@ -1,4 +1,4 @@
-// The contact of two movers rounded by doubles alone, as far as that leaves no doubt.
+// The contact of two movers rounded by doubles alone, where these leave no doubt.
 #pragma once
 
 #include <graze/contact/bound_impact.hpp>
@@ -54,8 +54,8 @@ template <int N, class T>
     return open_components;
 }
 
-// Takes what is bounded: writes the upper ends, and keeps which are certain; and the time as it is, for those who scale
-// it.
+// Takes bounded components: writes their upper ends, and notes which are certain; and the time as it is, for callers
+// that scale it.
 template <int N, class T>
 struct rounded_components {
     contact<N, T>& c;
@@ -157,7 +157,7 @@ constexpr component_set set_given(Contact& c, encounter what, const B& a, const 
     return given;
 }
 
-// What is open when `certain` has been filled in.
+// The components that are open once `certain` has been filled in.
 template <moving B, class Contact>
 [[nodiscard]] inline component_set open_after(component_set certain, Contact& c, encounter what, const B& a, const B& b,
                                               double mass_a, double mass_b) noexcept {

@@ -69,7 +69,7 @@ constexpr void round_movers(Contact& c, component_set wanted, encounter what, co
     round_balls(c, wanted, what, e, units, from);
 }
 
-// Rounds the wanted positions of two centres that are there now.
+// Rounds the wanted positions of two centres, which are given.
 template <int N, class T, class I>
 constexpr void round_centres(contact<N, T>& c, component_set wanted, const vec<N, I>& position_a,
                              const vec<N, I>& position_b, const scales& units) {
@@ -80,7 +80,7 @@ constexpr void round_centres(contact<N, T>& c, component_set wanted, const vec<N
          [&](int i) { return rounded(position_b[i]); });
 }
 
-// Rounds the wanted components of the contact of two movers that meet, by integers. Of an overlap the caller sets the
+// Rounds the wanted components of the contact of two movers that meet, by integers. For an overlap the caller sets the
 // time and the positions of those that start then.
 template <moving B, class Contact>
 [[gnu::noinline]] constexpr void complete(Contact& c, component_set wanted, encounter what, const B& a, const B& b) {

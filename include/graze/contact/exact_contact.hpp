@@ -33,12 +33,12 @@ struct exact_path {
         return round_root<T>(a, h, discriminant, units.time(), rounding::nearest, counted);
     }
 
-    // a (x + u τ) + u √D, of which nothing is irrational.
+    // a (x + u τ) + u √D, which is rational.
     template <class I, class J>
     [[nodiscard]] constexpr auto rational_part(const I& x, const J& u) const {
         return a * x - h * u;
     }
-    // Of a centre that is at x now and moves with u.
+    // For a centre that is at x now and moves with u.
     template <class I, class J>
     [[nodiscard]] constexpr T position(const I& x, const J& u) const {
         return round_to<T>(rational_part(x, u), -u, discriminant, a, units.length);
@@ -79,12 +79,12 @@ class exact_contact {
         return round_to<T>(across(i), -m_.du[i], path.discriminant, path.a * m_.R, 0);
     }
 
-    // What velocities are divided by; sum: of the masses.
+    // The denominator of velocities; sum: of the masses.
     template <class W>
     [[nodiscard]] constexpr auto velocity_divisor(const W& sum) const {
         return sum * (path.a * (m_.R * m_.R));
     }
-    // Of the ball whose velocity was u. share: twice the other's mass, for ball b its negative.
+    // For the ball whose velocity was u. share: twice the other's mass, for ball b its negative.
     template <class I, class S, class R>
     [[nodiscard]] constexpr T velocity(const I& u, int i, const S& share, const R& divisor) const {
         return round_to<T>(divisor * u - share * (discriminant_ * m_.du[i]), share * across(i), path.discriminant,

@@ -7,8 +7,8 @@
 //   velocity  u - 2 (u·n̂) n̂      = (n·n u - 2 S n)/(n·n)
 // and for an overlap, where τ = 0, the point is (n·n x - H n)/(n·n).
 //
-// A corner is a ball of radius 0 that nothing moves. An edge along e is one in the plane across it: with the indices
-// of wall_features' quadratic (a = |u × e|², D = e·e D') and t = e·(w × u), the part across the edge of a vector v is
+// A corner is a ball of radius 0 that nothing moves. An edge along e is one in the plane across it: with the names of
+// wall_features' quadratic (a = |u × e|², D = e·e D') and t = e·(w × u), the part across the edge of a vector v is
 // e × (v × e)/(e·e), and a e × (w × e) - h e × (u × e) = t e·e (u × e); so
 //   point     corner + ((w + u τ)·e/(e·e)) e
 //   normal    (w + u τ) across/r = (t e·e (u × e) - √D e × (u × e))/(a e·e r)

@@ -13,7 +13,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// A plane or a face. from: w of an overlap, else nothing.
+// A plane or a face. from: w for an overlap, else nothing.
 template <bool Fused, int N, class T>
 [[gnu::always_inline]] inline void take_face_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
                                                      const face_touch<N>& touch, double V,
@@ -72,7 +72,7 @@ template <bool Fused, int N, class T>
     }
 }
 
-// An edge of direction d, or a corner. y: the centre from it at the contact, off by `error` in each component. Of an
+// An edge of direction d, or a corner. y: the centre from it at the contact, off by `error` in each component. For an
 // edge the part of y along d is taken off, a third time as much error at most; where d is along an axis, exactly.
 template <bool Fused, int N, class T>
 [[gnu::always_inline]] inline void take_round_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
@@ -140,8 +140,8 @@ template <bool Fused, int N, class T>
     }
 }
 
-// Fills in what is certain of a hit near `time`, or at 0 of an overlap with a plane or a face, and returns what is
-// open; all is if nothing is known. clock(τ): the time that is wanted; of an overlap it is 0.
+// Fills in what is certain for a hit near `time`, or for an overlap with a plane or a face at 0. Returns what is open,
+// which is everything if nothing is known. clock(τ): the time that is wanted; for an overlap it is 0.
 template <int N, class T, class Clock>
 struct flat_contact_near {
     wall_contact<N, T>* c;

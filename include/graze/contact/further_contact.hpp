@@ -8,7 +8,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// to[i] = from[i] 2^power for those that are wanted, where both are normal numbers; says which.
+// to[i] = from[i] 2^power for the wanted i where both are normal numbers; returns these.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline component_set scale_back(vec<N, double>& to, const vec<N, double>& from,
                                                                   contact_component first, component_set wanted,
@@ -27,7 +27,7 @@ template <int N>
     return done;
 }
 
-// The same of all components, from units of lengths and velocities of 2^length and 2^velocity.
+// The same for all components, from units of lengths and velocities of 2^length and 2^velocity.
 template <int N>
 [[nodiscard]] component_set scale_back(contact<N, double>& c, const rounded_components<N, double>& x,
                                        component_set wanted, int length, int velocity) noexcept {

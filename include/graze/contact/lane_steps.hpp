@@ -1,7 +1,7 @@
 // The steps from the instant of contact to the contact, in lanes of doubles with proven errors.
 //
-// Errors of low parts are counted as in predicate/newton_approach.hpp, whose bounds and notation are used; e is its
-// error of the time. proofs/contact/parts.cpp derives the counts from these steps.
+// Errors of low parts are counted as in time/newton_approach.hpp, whose bounds and notation are used; e is its error of
+// the time. proofs/contact/parts.cpp derives the counts from these steps.
 #pragma once
 
 #include <graze/time/certain_rounding.hpp>
@@ -65,9 +65,9 @@ normal_of(const lane_displacement<Fused, V>& y, const V& low, const factor<V, Fu
     return {as_factor<Fused>(product.value), (product.error + y.high.value * inverse_low) + low * inverse.value};
 }
 
-// u + φ n: an error of at most |φ| (1.6 error of n + |n| (the relative error of φ + 94 u²)) + 2u² |u|, for |φ's low
-// part|
-// <= 9 u |φ|. own_error is that without the last term.
+// u + φ n: an error of at most |φ| (1.6 error of n + |n| (the relative error of φ + 94 u²)) + 2u² |u|, if the low part
+// of φ is at most 9 u |φ|.
+// own_error is that without the last term.
 template <bool Fused, class V>
 [[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
 velocity_in_parts(const V& u, const factor<V, Fused>& phi, const V& phi_low, const lane_normal<Fused, V>& n) noexcept {
@@ -83,9 +83,9 @@ bounded_velocity(const lanes& u, const factor<lanes, Fused>& phi, const lanes& p
     return {v.value, v.error, 0x1p-105 * absolute(u) + own_error};
 }
 
-// (x.value + x.error)(high + low) but for the product of the low parts: its relative error is at most 8.1 u² + 4.1 u λ
-// more than its factors', |x.error| <= λ |x.value|, |low| <= 2.02 u |high|; and its low part is at most λ + 3.1 u of
-// it.
+// (x.value + x.error)(high + low) without the product of the low parts. For |x.error| <= λ |x.value| and |low| <= 2.02
+// u |high| its relative error is at most 8.1 u² + 4.1 u λ more than its factors', and its low part is at most λ + 3.1 u
+// of it.
 template <bool Fused, class S>
 [[nodiscard, gnu::always_inline]] constexpr inline exact_pair<S>
 times(const exact_pair<S>& x, const factor<S, Fused>& high, const S& low) noexcept {

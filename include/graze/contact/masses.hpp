@@ -1,4 +1,4 @@
-// Masses of two that meet: what is allowed, and as the formulas take them.
+// The masses of two balls that meet: which are allowed, and how the formulas take them.
 #pragma once
 
 #include <graze/exact/binary.hpp>
@@ -17,7 +17,7 @@ namespace graze::inline v0_1::detail {
 [[nodiscard]] constexpr bool is_infinite_mass(const double& x) noexcept { return bits_of(x) == 0x7ff0000000000000U; }
 [[nodiscard]] constexpr bool is_infinite_mass(const float& x) noexcept { return bits_of(x) == 0x7f800000U; }
 
-// Tells what is wrong with the masses of two that meet.
+// Names what is wrong with the masses of two balls that meet.
 template <moving B, class Tell>
 constexpr void inspect_masses(const B& a, const B& b, Tell tell_of_a, Tell tell_of_b) {
     const auto& mass_a = state_of(a).mass;

@@ -18,7 +18,7 @@ class certain_components {
         to = certain ? static_cast<T>(interval.upper) : to;
         certain_ |= component_set{certain} << number;
     }
-    // x + y, which the machine rounds as we do.
+    // x + y: in double the machine's sum is the result.
     [[gnu::always_inline]] void sum(double x, double y, int number, T& to) noexcept {
         const auto s = two_sum(x, y);
         if (std::is_same_v<T, double> || s.error == 0) {
@@ -27,7 +27,7 @@ class certain_components {
             (*this)({s.value, s.error, 0}, number, to);
         }
     }
-    // What is exact.
+    // For an exact number.
     [[gnu::always_inline]] void exact(double x, int number, T& to) noexcept {
         to = with_plain_zero(static_cast<T>(x));
         certain_ |= component_set{1} << number;
@@ -51,7 +51,7 @@ template <int N>
     return true;
 }
 
-// A ball's path until it touches, in parts: its position, and the errors of what it is added up from.
+// A ball's path until it touches, in parts: its position, and the errors of the terms that it is added up from.
 template <bool Fused, int N, class T>
 struct path_in_parts {
     const flat_row<N>& f;

@@ -8,7 +8,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// 1 and 2 in the kind of integers that I is.
+// 1 and 2 as integers of the kind of I.
 template <template <int> class Integer, int Bits>
 [[nodiscard]] constexpr Integer<1> one_like(const Integer<Bits>&) noexcept {
     return Integer<1>(1);

@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Takes numbers and writes those whose rounding is certain. An exact 0 is certain if no rounding led to it; anything
+// Takes numbers and writes those whose rounding is certain. An exact 0 is certain if no rounding led to it; all else
 // below 2^-500 is left open.
 template <int N, class T>
 class rounded_words {
@@ -32,7 +32,7 @@ class rounded_words {
     component_set certain_ = 0;
 };
 
-// A plane or a wall's face, by a hit or an overlap. x: the ball's position; clock(τ): the time that is wanted.
+// A hit on a plane or a wall's face, or an overlap. x: the ball's position; clock(τ): the time that is wanted.
 template <int N, class T, class M, class Clock>
 void take_face(rounded_words<N, T>& take, wall_contact<N, T>& c, encounter what, const M& m,
                const vec<N, bounded_word>& x, const Clock& clock) noexcept {
@@ -56,7 +56,7 @@ void take_face(rounded_words<N, T>& take, wall_contact<N, T>& c, encounter what,
     take(position_at(position, normal, -m.r), wall_component::point, c.point);
 }
 
-// An edge or a corner. m: seen from the view in which it is the first one. time: 0 of an overlap.
+// An edge or a corner. m: seen from the view in which it is the first one. time: 0 for an overlap.
 template <int N, class T, class M, class Clock>
 void take_feature(rounded_words<N, T>& take, wall_contact<N, T>& c, encounter what, const M& m,
                   const bounded_word& time, const vec<N, bounded_word>& x, const Clock& clock) noexcept {
@@ -85,8 +85,8 @@ void take_feature(rounded_words<N, T>& take, wall_contact<N, T>& c, encounter wh
     }
 }
 
-// Fills in the components that are certain and returns the others. The position of an overlap and the velocity of a
-// graze are there already.
+// Fills in the components that are certain and returns the others. The caller has set the position of an overlap and
+// the velocity of a graze.
 template <class P, int N, class T, class Shape, class Clock>
 [[nodiscard, gnu::noinline]] component_set wall_in_words(P, wall_contact<N, T>& c, encounter what, int index,
                                                          const ball<N, T>& b, const Shape& shape,

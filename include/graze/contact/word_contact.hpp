@@ -30,8 +30,8 @@ struct separation_bounds {
     }();
 };
 
-// How long each of two movers has been on its way, high + low, side by side: before + time, `before` of the earlier
-// one.
+// How long each of two movers has been on its way, high + low, side by side: before + time, where `before` is 0 for
+// the later one.
 template <bool Fused>
 struct word_times {
     factor<lanes, Fused> high;
@@ -58,7 +58,7 @@ template <bool Fused, moving B>
     }
 }
 
-// Where both are, side by side; each from its own time, or from where the other is and y if that is known better.
+// Both positions, side by side: each from its own time, or from the other's position and y if that is more accurate.
 template <bool Fused, moving B, int N, class F>
 [[gnu::always_inline]] inline void bound_positions(const B& a, const B& b, const bounded<double>& time,
                                                    const vec<N, loose_word<Fused>>& y, double y_error,
@@ -88,7 +88,7 @@ template <bool Fused, moving B, int N, class F>
     }
 }
 
-// Of a hit.
+// For a hit.
 template <bool Fused, moving B, class F>
 [[gnu::always_inline]] inline void bound_word_contact(const word_approach<Fused, B>& w, const B& a, const B& b,
                                                       double mass_a, double mass_b, F& take) noexcept {
