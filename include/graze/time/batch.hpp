@@ -1,4 +1,4 @@
-// When the balls of many pairs touch first, asked at once.
+// When the balls of many pairs touch first, all at once.
 #pragma once
 
 #include <graze/time/batch_blocks.hpp>
@@ -19,8 +19,8 @@ namespace detail {
 template <class T>
 using rounded_time_of = typename impact_time<2, T>::rounded_type;
 
-// x's time of impact with y, rounded; +infinity if there is none, by its bits: under -ffast-math clang takes what would
-// return or pass an infinity for code that is not reached.
+// x's time of impact with y, rounded; +infinity if there is none, by its bits: under -ffast-math clang treats code that
+// returns or passes an infinity as not reached.
 template <int N, class T, class Y>
 void round_impact(const ball<N, T>& x, const Y& y, rounding mode, rounded_time_of<T>& rounded) {
     using number = rounded_time_of<T>;
@@ -70,8 +70,8 @@ namespace batch {
 
 // When each ball of a touches the ball of the same index of b first, or the one ball, plane or wall b: time[i] is
 // time_of_impact(a[i], b[i]) rounded once, to nearest (ties to even) or, as its lower() and upper(), down or up; and
-// +infinity where they never touch. The numbers of `time` are of T; for balls of integers they are doubles. What is
-// given, thrown and written is as for classify.
+// +infinity where they never touch. The numbers of `time` are of type T; for balls of integers they are doubles.
+// Arguments, exceptions and what has been written then are as for classify.
 template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void time_of_impact(const A& a, const B& b,

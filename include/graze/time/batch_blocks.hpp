@@ -25,8 +25,8 @@ struct hit_list {
     }
 };
 
-// The pairs of a block from `from` on, of which time[i] is near the time of pair i if it is a hit: rounds those times,
-// and leaves open what that leaves in doubt.
+// The pairs of a block from `from` on; time[i] is near the time of pair i if that is a hit. Rounds those times, and
+// leaves open those in doubt.
 template <class V, class A, class B>
 struct rounded_hits {
     const A* a;

@@ -1,4 +1,4 @@
-// Around when a flight meets an image of another one, in a space of periods.
+// Bounds on when a flight meets an image of another one, in a space with periods.
 #pragma once
 
 #include <graze/pair/stand_in.hpp>
@@ -10,9 +10,9 @@ namespace graze::inline v0_1::detail {
 
 // Whether a and the image of b certainly don't meet until `latest`, by doubles alone.
 //
-// The image is where b is with the sum of its position and the periods, but for the roundings of product and sum: less
-// than 2^-51 of their magnitudes along each axis, so that it is inside a ball there that is wider by as much. Where
-// that one, which is outside at first, parts or is not reached until then, nothing is met.
+// The image is at b's position plus the periods, but for the roundings of product and sum: less than 2^-51 of their
+// magnitudes along each axis. So it is inside a ball at the computed place that is wider by as much. If that ball,
+// which is outside at first, parts or is not reached by then, nothing is met.
 template <int N>
 [[nodiscard, gnu::flatten]] bool is_image_missed(const flight<N, double>& a, const flight<N, double>& b,
                                                  const image_shift<N, double>& image, double latest) {
@@ -37,7 +37,7 @@ template <int N>
     return is_beyond(f, a, b, latest);
 }
 
-// As bounds_until has them. Throws std::range_error where the distance is no difference of two T. [stand_ins]
+// As bounds_until returns them. Throws std::range_error where the distance is no difference of two T. [stand_ins]
 template <int N, class T>
 [[nodiscard]] enclosure bounds_of_image(const flight<N, T>& a, const flight<N, T>& b, const image_shift<N, T>& image,
                                         double latest) {

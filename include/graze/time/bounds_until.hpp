@@ -5,7 +5,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether two flights that the filter f is of, and that are not certainly parting, certainly don't meet until `latest`.
+// Whether the two flights of the filter f, which are not certainly parting, certainly don't meet until `latest`.
 //
 // From the later start on for a time T the quadratic a t² + 2ht + c is, for h < 0, at least c + 2hT: where that is
 // positive nothing is met. Of the values here, with the filter's scales L and V = √a, the error of c is at most K_c L²,
@@ -22,8 +22,8 @@ template <class F, int N, class T>
     return f.q.c + 2 * f.q.h * left > k * (f.length2 + f.q.a * (left * left));
 }
 
-// Doubles between which the time of two flights lies; from the largest double on when they don't meet, or when they
-// certainly don't until `latest`, which most pairs are found out by before any root is taken. Throws as classify does.
+// Doubles between which the time of two flights lies; from the largest double on if they don't meet, or certainly don't
+// until `latest`. The latter settles most pairs before any root is taken. Throws as classify does.
 template <int N, class T>
 [[nodiscard, gnu::flatten]] enclosure bounds_until(const flight<N, T>& a, const flight<N, T>& b, double latest) {
     constexpr enclosure none{enclosure::unknown, 0};

@@ -32,23 +32,23 @@ template <class T, class V>
     return {settled(x.high + settled(x.low - error)), settled(x.high + settled(x.low + error))};
 }
 
-// What is added to an error for what underflows on the way. Lengths, velocities and masses are within 2^±150, 2^±150
-// and 2^±200 where it is used, and 1/R is below 2^203: a loss of 2^-1071 in y is below 2^-860 in a normal and 2^-710 in
-// a velocity. Results below 2^-647 are not certain then, and no exact zero is.
+// Added to an error for the losses by underflow. Where it is used, lengths, velocities and masses are within 2^±150,
+// 2^±150 and 2^±200, and 1/R is below 2^203: a loss of 2^-1071 in y is below 2^-860 in a normal and 2^-710 in a
+// velocity. So results below 2^-647 are not certain, and no exact zero is.
 inline constexpr double underflow = 0x1p-700;
 
-// Whether both ends round to the same T, which is not a zero (of which the sign would be open): then every number
-// between them does, since rounding is monotonic.
+// Whether both ends round to the same T, which is not a zero (whose sign would be open). Every number between them then
+// rounds to it, since rounding is monotonic.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline bool agree(const ends<double>& x) noexcept {
     if constexpr (std::is_same_v<T, double>) {
-        return x.lower >= x.upper; // of ends in order, and of no NaN: for less than ==
+        return x.lower >= x.upper; // the ends are in order, and no NaN: cheaper than ==
     } else {
         return static_cast<T>(x.lower) == static_cast<T>(x.upper) && static_cast<T>(x.lower) != 0;
     }
 }
 
-// The same of two lanes: bit 0 and bit 1.
+// The same for two lanes: bit 0 and bit 1.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline unsigned agreeing(const ends<lanes>& x) noexcept {
 #if defined(__SSE2__)
@@ -60,8 +60,8 @@ template <class T>
            static_cast<unsigned>(agree<T>({x.lower[1], x.upper[1]})) << 1;
 }
 
-// A positive number rounded to nearest, downward or upward; empty where its bounds leave a doubt, which for directed
-// modes they always do of floats.
+// A positive number rounded to nearest, downward or upward; empty where its bounds leave a doubt. For floats in
+// directed modes they always do.
 template <class T>
 [[nodiscard]] inline std::optional<T> certainly_rounded(const bounded<double>& x, rounding mode) noexcept {
     if (mode == rounding::nearest) {

@@ -16,8 +16,8 @@ template <class U>
 concept time_number = std::same_as<U, float> || std::same_as<U, double> ||
     (std::integral<U> && sizeof(U) <= 8 && (std::signed_integral<U> || sizeof(U) < 8));
 
-// The order of an event's time, which lies in the bounds, and a number. as_double: whether the conversion of this
-// number to double is certainly exact.
+// The order of an event's time, which lies in the bounds, and a number. as_double: whether the number certainly
+// converts to double exactly.
 template <class Event, class Bounds, class U>
 [[nodiscard]] constexpr std::partial_ordering compare_with_number(const Event& event, const Bounds& bounds,
                                                                   const U& time, bool as_double) {
@@ -46,7 +46,7 @@ template <class Event, class Bounds, std::floating_point U>
                : time > 0 ? std::partial_ordering::less
                           : std::partial_ordering::unordered;
     }
-    return compare_with_number(event, bounds, time, !is_subnormal(time)); // which a mode may read as 0
+    return compare_with_number(event, bounds, time, !is_subnormal(time)); // a mode may read a subnormal as 0
 }
 
 } // namespace graze::inline v0_1::detail

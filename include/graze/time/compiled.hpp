@@ -1,4 +1,4 @@
-// The cold stages of times, which graze::compiled contains and a unit need not compile.
+// The cold stages of times: graze::compiled contains them, so that a unit need not compile them.
 #pragma once
 
 #include <graze/time/time_of_flights.hpp>

@@ -1,5 +1,5 @@
-// When a ball touches a plane, a wall or a triangle, in doubles with a bound on the error, from what decided that it
-// does.
+// When a ball touches a plane, a wall or a triangle, in doubles with a bound on the error, from the numbers that
+// decided that it does.
 #pragma once
 
 #include <graze/predicate/classify_walls.hpp>
@@ -33,7 +33,7 @@ namespace graze::inline v0_1::detail {
     return {time, 1.5 * off * per_rate + 0x1p-47 * time};
 }
 
-// The same, of a ball that does not touch now but is certain to, from what is known of the plane.
+// The same for a ball that does not touch now but certainly will, from what is known of the plane.
 template <int N, class T>
 [[nodiscard]] inline enclosure enclose_touch(const filtered_plane<N, T>& f) noexcept {
     const double length = plain_sqrt(f.square);
@@ -62,7 +62,7 @@ template <int N, class T>
     return {time, 1.5 * (error_c + time * error_root / root) / denominator + 0x1p-45 * time};
 }
 
-// Of a certain hit on a feature.
+// For a certain hit on a feature.
 template <int N, class T>
 [[nodiscard]] inline enclosure enclose_hit(const filtered_flat<N, T>& f, const flat_way<N, double>& way,
                                            const flat_answer& found) noexcept {
@@ -87,7 +87,7 @@ template <int N, class T>
                         judge.error(corner_h{}, x), judge.error(corner_discriminant{}, x));
 }
 
-// The same of a hit of which doubles were not certain: around the time that one step from theirs leads to.
+// The same for a hit of which doubles were not certain: around the time after one step from theirs.
 template <int N, class T, class Shape>
 [[nodiscard, gnu::noinline]] enclosure enclose_by_step(const ball<N, T>& b, const Shape& w,
                                                        const flat_answer& found) noexcept {

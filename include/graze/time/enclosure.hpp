@@ -1,4 +1,4 @@
-// Two doubles between which an event's exact time lies: what nearly every comparison of times is decided by.
+// Two doubles between which an event's exact time lies. They decide nearly every comparison of times.
 #pragma once
 
 #include <graze/exact/approximate.hpp>
@@ -15,10 +15,10 @@
 
 namespace graze::inline v0_1::detail {
 
-// near - error <= τ <= near + error, as they are computed in any rounding mode, but for an error that is not known: it
-// is then the largest double, and τ may be beyond. No finite time in T is above that; an infinity would be no value at
-// all under -ffast-math. An error that is neither 0 nor unknown is larger than it would have to be by 2^-50 of near +
-// error: by more than all roundings of these sums and of is_apart_from.
+// near - error <= τ <= near + error, as these are computed in any rounding mode. An unknown error is the largest
+// double, and τ may then be beyond. No finite time in T is above that; an infinity would be no value at all under
+// -ffast-math. An error that is neither 0 nor unknown is larger than necessary by 2^-50 of near + error: by more than
+// all roundings of these sums and of is_apart_from.
 struct enclosure {
     static constexpr double unknown = std::numeric_limits<double>::max();
 
@@ -31,8 +31,8 @@ struct enclosure {
     [[nodiscard]] constexpr double lower() const noexcept { return as_stored(near - error); }
     [[nodiscard]] constexpr double upper() const noexcept { return as_stored(near + error); }
 
-    // Whether no number lies in both; their times then stand in the order of their nears. For half the additions that
-    // comparing ends takes: |difference| - error, each right to 2^-52 of the larger near.
+    // Whether no number lies in both; their times then have the order of their nears. It takes half the additions of a
+    // comparison of ends: |difference| - error, each right to 2^-52 of the larger near.
     [[nodiscard]] constexpr bool is_apart_from(const enclosure& y) const noexcept {
         const double difference = as_stored(near - y.near);
         const double distance = !std::is_constant_evaluated() ? std::fabs(difference)
@@ -42,7 +42,7 @@ struct enclosure {
     }
 };
 
-// At least 1/x and at most 9/8 of it, for less than a division: of x = 2^e (1 + f) it is 2^-e (1 - f/2), and (1 + f)(1
+// At least 1/x and at most 9/8 of it, cheaper than a division: for x = 2^e (1 + f) it is 2^-e (1 - f/2), and (1 + f)(1
 // - f/2) = 1 + f (1 - f)/2. x is positive, normal and below 2^1022.
 [[nodiscard]] inline double inverse_or_more(double x) noexcept {
     return std::bit_cast<double>(0x7fe0000000000000U - bits_of(x));

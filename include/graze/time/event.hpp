@@ -1,4 +1,4 @@
-// A collision as numbers: the pair, of any kind, with its epochs.
+// A collision as numbers: a pair of any kind, with its epochs.
 #pragma once
 
 #include <graze/formula/wall_encounter.hpp>
@@ -27,14 +27,14 @@ template <int N>
 [[nodiscard]] constexpr event_kind kind_of(ball_and_wall<N>, feature f) noexcept {
     return kind_of<N>(f);
 }
-// What its index is in an event.
+// Its index in an event.
 template <class Shape, class Found>
 [[nodiscard]] constexpr int number_in_wall(const Found& found) noexcept {
     return feature_number(found.where, found.index, is_triangle<Shape>);
 }
 
-// The packed row of a pair, then the epochs of what moves in it; the rest of the array is not used. And which feature
-// of a wall or a triangle: its index, of an edge the edge_number. An event that is at its start (overlap) overlaps or
+// The packed row of a pair, then the epochs of its flights; the rest of the array is not used. The feature of a wall or
+// a triangle is its index, for an edge the edge_number. An event at its start (overlap) is of a pair that overlaps or
 // touches then.
 template <int N, class T>
 struct event {
@@ -66,7 +66,7 @@ struct event {
         }
     }
 
-    // Of the pair's two things, as those of a pair kind P: what stands still is there since the other is.
+    // The epochs of the pair's two things, as those of a pair kind P: a plane or wall has the other's epoch.
     template <class P>
     [[nodiscard]] constexpr std::array<T, 2> since(P) const noexcept {
         if constexpr (std::floating_point<T>) {
@@ -75,7 +75,7 @@ struct event {
             return {};
         }
     }
-    // The instant from which on both are on their way.
+    // The instant from which both are on their way.
     [[nodiscard]] constexpr T start() const noexcept {
         return !timed                      ? T(0)
                : kind == event_kind::balls ? start_of(since(two_balls<N>{}))
@@ -84,7 +84,7 @@ struct event {
     }
 };
 
-// f(P{}) with the pair kind of an event.
+// f(P{}) with an event's pair kind P.
 template <int N, class F>
 [[nodiscard]] constexpr auto with_pair(event_kind kind, F f) {
     return kind == event_kind::balls   ? f(two_balls<N>{})

@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// use(inputs, P) with an event's inputs, not yet settled. A ball is a flight since 0.
+// use(inputs, P) with an event's inputs, not yet lifted. A ball is a flight since 0.
 template <int N, class T, class F>
 [[nodiscard]] constexpr auto with_timed_inputs(const event<N, T>& e, F use) {
     return with_pair<N>(e.kind, [&]<class P>(P pair) { return use(lift_timed<P>(e.row, e.since(pair)), pair); });
@@ -19,7 +19,7 @@ template <int N, class T>
     return with_timed_inputs(e, [](const auto& in, auto) { return in.unit(); });
 }
 
-// f(motion, start) with the exact motion of settled inputs at their start.
+// f(motion, start) with the exact motion of lifted inputs at their start.
 template <int N, class P, class F>
 [[nodiscard]] constexpr auto with_timed_motion(const timed_inputs<P>& in, F f) {
     if constexpr (std::is_same_v<P, two_balls<N>>) {
@@ -30,7 +30,7 @@ template <int N, class P, class F>
     }
 }
 
-// Times that count from the instant of the positions: way, which at the given speed takes the time, as it is.
+// Times that count from the instant of the positions: a way (speed times time) as it is.
 struct from_now {
     template <class W, class S>
     [[nodiscard]] constexpr const W& operator()(const W& way, const S&) const noexcept {
@@ -38,7 +38,7 @@ struct from_now {
     }
     [[nodiscard]] constexpr bool is_now() const noexcept { return true; }
 };
-// And from an instant that is earlier by `start`.
+// Times that count from an instant earlier by `start`.
 template <class I>
 struct from_earlier {
     I start;
@@ -70,7 +70,7 @@ template <int N, class T, class F>
 
 using big_quadratic = quadratic<big_integer, big_integer, big_integer>;
 
-// The quadratic of an event, of which its start is a root if it is then, counted from t = 0 in units of 2^unit.
+// The quadratic of an event, counted from t = 0 in units of 2^unit. If the event is at its start, that is a root.
 template <int N, class T>
 [[nodiscard]] constexpr big_quadratic quadratic_in(const event<N, T>& e, int unit, workspace& room) {
     return with_timed_inputs(e, [&]<class In, class P>(In in, P) {

@@ -1,9 +1,9 @@
 // When a ball touches a plane, a face, an edge or a corner, as a sum of two doubles with an error: one Newton step from
 // a time in doubles, with the residual from error-free transforms.
 //
-// u = 2^-53, doubles rounded to nearest. A number in parts is value + error. What rounds are low parts, each at most a
-// few u of the sizes that are added up on the way, so that all roundings and the products of two low parts come to some
-// tens of u² = 2^-106 of those sizes; 2^-97 of them is taken, which proofs/contact/flat_steps.cpp shows to be enough.
+// u = 2^-53, doubles rounded to nearest. A number in parts is value + error. Only low parts are rounded, each at most a
+// few u of the sizes that are added up on the way. So all roundings and the products of two low parts come to some tens
+// of u² = 2^-106 of those sizes; the bound is 2^-97 of them, which proofs/contact/flat_steps.cpp shows to be enough.
 #pragma once
 
 #include <graze/linear/vec.hpp>
@@ -17,7 +17,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// A vector in parts with the sum of the sizes of what its components were added up from.
+// A vector in parts with the sum of the sizes of the terms of its components.
 template <int N>
 struct parts_vector {
     exact_pair<double> component[N];
@@ -103,7 +103,7 @@ template <bool Fused>
     return r;
 }
 
-// from + u t: the centre seen from a point of which it is `from` at 0.
+// from + u t: the centre seen from a point, from which it is at `from` at t = 0.
 template <bool Fused, int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> moved(const parts_vector<N>& from, const vec<N, double>& u,
                                                                double t) noexcept {
@@ -179,8 +179,8 @@ template <bool Fused, int N>
     return f;
 }
 
-// Where the distance from a line or a point is r: of f(t) = |z|² - r² k² and its half slope -h < 0 the step f/2h leaves
-// a δ²/2h, a = |ż|², where δ, the way to the root, is within 1/4 of the step if a |step| < h/8.
+// When the distance from a line or a point is r. With f(t) = |z|² - r² k² and its half slope -h < 0 the step f/2h
+// leaves a δ²/2h, a = |ż|², where δ, the way to the root, is within 1/4 of the step if a |step| < h/8.
 template <bool Fused, int N>
 [[nodiscard, gnu::always_inline]] inline flat_time touch_round(const parts_vector<N>& z, const vec<N, double>& speed,
                                                                const exact_pair<double>& reach2, double reach2_size,

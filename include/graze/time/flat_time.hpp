@@ -16,7 +16,7 @@ template <class... S>
     return (within_powers<-100, 100>(size) & ...);
 }
 
-// What touches, in doubles: a plane has its normal in the place of the first edge.
+// The pair, in doubles: a plane has its normal in the place of the first edge.
 template <int N>
 struct flat_row {
     vec<N, double> x, corner, u;
@@ -116,7 +116,7 @@ struct flat_time_near {
     }
 };
 
-// That, for the machine at hand.
+// The same, for this machine.
 template <int N, class T>
 [[nodiscard]] flat_time flat_time_in_doubles(const event<N, T>& e, double time) noexcept {
     return with_best_products(flat_time_near<N, T>{&e, time});

@@ -20,7 +20,7 @@ struct further_time {
     bounded<double> time{};
     int unit = 0;
     enclosure bounds{};
-    bool in_range = true; // of double words
+    bool in_range = true; // the range of double words
 };
 
 template <int N>
@@ -40,7 +40,7 @@ struct approach_in_words {
     }
 };
 
-// Of movers in range, in doubles.
+// For movers in range, in doubles.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool refine_time(further_time& r, const B& a, const B& b) noexcept {
     return with_sizes_at_start<inputs_in_doubles>(
@@ -63,8 +63,8 @@ template <moving B>
         });
 }
 
-// What the filter is certain of; of a hit with the time by one step, made by `step_near` a time. False if that is not
-// close enough.
+// What the filter is certain of; for a hit also the time, by one step that `step_near` makes from a time. False if that
+// is not close enough.
 template <class F>
 [[nodiscard, gnu::always_inline]] inline bool step_time(further_time& r, const filtered_balls& filtered,
                                                         F step_near) noexcept {
@@ -79,7 +79,7 @@ template <class F>
     r.time = found.time;
     return found.good;
 }
-// Of movers in range of which the filter is certain.
+// For movers in range of which the filter is certain.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool filter_time(further_time& r, const B& a, const B& b) noexcept {
     const auto filtered = start_filter(a, b).finish();
@@ -88,7 +88,7 @@ template <moving B>
                                        return time_by_doubles<B>{&a, &b, near};
                                    });
 }
-// Of balls whose units are odd.
+// For balls in unusual units.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline bool filter_scaled_time(further_time& r, const ball<N, double>& a,
                                                                  const ball<N, double>& b) noexcept {
@@ -107,8 +107,8 @@ template <moving B>
     return with_best_products(approach_in_words<dimension_of<B>>{&x, &y});
 }
 
-// What has been tried before: the filter alone, or a step from an enclosure's time as well; `time`: of movers that hit,
-// of which only the time is asked.
+// What has been tried before: the filter alone, or a step from an enclosure's time as well. `time`: the movers hit, and
+// only the time is asked for.
 enum class tried { filter, step, time };
 
 // By steps and words, scaled where that is needed, to nearest.
@@ -147,7 +147,7 @@ template <moving B>
     return r;
 }
 
-// Of movers whose radii are not negative.
+// For movers whose radii are not negative.
 template <moving B>
 [[nodiscard, gnu::noinline]] further_time find_further_time(const B& a, const B& b, tried before) noexcept {
     if constexpr (std::same_as<number_in<B>, float>) {

@@ -40,7 +40,7 @@ template <int N, class T>
     return P::template motion<bounded_word>(bounded_row<P, T>(row));
 }
 
-// Of a hit on a plane or a face: (33) completed.
+// For a hit on a plane or a face: (33) completed.
 template <class M>
 [[nodiscard]] bounded_word face_time(const M& m) noexcept {
     const bounded_word height = plane_height{}(m);
@@ -50,7 +50,7 @@ template <class M>
     return plane_touch_time{}(height, plane_speed{}(m), m.r * sqrt(graze::squared_norm(m.n)));
 }
 
-// Of a hit, by the quadratic of an edge or a corner and its discriminant.
+// For a hit, by the quadratic of an edge or a corner and its discriminant.
 [[nodiscard]] inline bounded_word root_time(const quadratic<bounded_word, bounded_word, bounded_word>& q,
                                             const bounded_word& discriminant) noexcept {
     return root_stable{}(q.c, q.h, sqrt(discriminant));
@@ -68,7 +68,7 @@ template <class M>
     return root_time(quadratic_of(relative), discriminant_lagrange{}(relative));
 }
 
-// Of an event that is a hit on a plane or a wall.
+// For an event that is a hit on a plane or a wall.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] bounded_word hit_time(const event<N, T>& e) noexcept {
     if (e.kind == event_kind::plane) {
@@ -86,7 +86,7 @@ template <int N, class T>
     return corner_time(seen_from(m, wall_view{e.index, false}));
 }
 
-// The value with what its error is at most.
+// The value with a bound on its error.
 [[nodiscard]] inline bounded<double> as_bounds(const bounded_word& x) noexcept {
     return {x.value().high(), x.value().low(), (1 + 0x1p-40) * x.error()};
 }

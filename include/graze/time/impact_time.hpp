@@ -22,15 +22,15 @@ struct impact_time_key {
 } // namespace detail
 
 // Law 5 of classify_balls.hpp, and
-//   11. numbers stand in the same order: lower() <= τ <= upper(), τ is one of them only if it is both, and what is
+//   11. numbers belong to the same order: lower() <= τ <= upper(), τ is one of them only if it is both, and a time
 //       before a number that is before another time is before that time.
 
-// The first time at which a pair touches (its start for an overlap): of balls counted from the instant at which their
-// positions are given, of flights on the clock of `since`, and not before the later one's. Both count on one clock,
-// since a ball is a flight since 0. A regular type but for a default value: two are equal exactly when their times are,
-// whatever met whatever and since when. Comparisons look at an enclosure in doubles first and at the inputs, which the
-// value keeps, only when the enclosures overlap; they never round, throw or allocate. Converted, a time is rounded
-// once, in any floating-point environment. Made by time_of_impact only, whose empty answer std::optional orders before
+// The first time at which a pair touches (its start for an overlap). For balls it counts from the instant at which
+// their positions are given, for flights on the clock of `since`; a flight's time is not before the later epoch. It is
+// one clock, since a ball is a flight since 0. A regular type without a default value: two are equal exactly when their
+// times are, of whatever pair kinds and epochs. Comparisons use an enclosure in doubles first, and the inputs, which
+// the value keeps, only where enclosures overlap; they never round, throw or allocate. A conversion rounds once, in any
+// floating-point environment. Only time_of_impact makes it; std::optional orders that function's empty answer before
 // every time. 160 bytes for N = 3 and doubles, 120 for N = 2.
 template <int N, class T = double>
 class impact_time {
@@ -68,7 +68,7 @@ class impact_time {
         return detail::compare_exactly(event_, y.event_);
     }
 
-    // What a time is rounded to: T, and double where T is an integer type.
+    // The type to which a time is rounded: T, and double where T is an integer type.
     using rounded_type = std::conditional_t<std::is_floating_point_v<T>, T, double>;
 
     // The nearest number, ties to even; beyond the largest one, an infinity.

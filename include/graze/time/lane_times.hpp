@@ -35,7 +35,7 @@ template <int N, class V>
     const mask infinity = mask::filled(static_cast<typename mask::integer>(format_of<T>.infinite_bits()));
     mask time = never & infinity;
     if constexpr (std::is_same_v<T, double>) { // of floats in doubles later
-        // Of the others, something that neither divides by zero nor is no number.
+        // Lanes without a hit get numbers that neither divide by zero nor give a NaN.
         const V d = V::of(hit & lane.discriminant.bits()), h = chosen(hit, lane.q.h, V(-1));
         time = time | (hit & root_stable{}(lane.q.c, h, plain_sqrt(d)).bits());
     }
@@ -43,7 +43,7 @@ template <int N, class V>
     return r;
 }
 
-// Numbers, and of which lanes they are certain.
+// Numbers, and the lanes in which they are certain.
 template <class V>
 struct certain_lanes {
     V value;
@@ -100,7 +100,7 @@ template <bool Fused, int N, class V>
     return {found.value, found.certain & bits_of(step.good)};
 }
 
-// Where an exact number is, and of which lanes that is certain.
+// Where an exact number is, and the lanes in which that is certain.
 template <class V>
 struct enclosed_lanes {
     V lower, upper;

@@ -84,7 +84,7 @@ template <moving B>
     }
 }
 
-// When two movers meet that do so `near` from their start; nothing is known unless good.
+// When two movers meet, at about `near` from their start; nothing is known unless good.
 struct time_in_doubles {
     bounded<double> time;
     bool good;
@@ -102,8 +102,8 @@ struct time_by_doubles {
     }
 };
 
-// The same of two balls whose lengths and velocities are multiplied by powers of two, `near` and the time in those
-// units.
+// The same for two balls whose lengths and velocities are multiplied by powers of two, with `near` and the time in
+// those units.
 template <int N>
 struct time_of_scaled {
     const ball<N, double>*a, *b;

@@ -123,9 +123,9 @@ struct newton_approach {
 // For σ > 0 the smaller root is t0 + δ with δ = (f + V² δ²)/(2σ) and |δ| <= |f|/σ (as D = σ² - V² f > 0). t1 = f/(2σ)
 // with computed f and σ. `good` means that V² |t1|/σ < 2^-10, σ > 0 and γ < 2^80, for the computed values, and that L²
 // and V² are in ranges where nothing over- or underflows that matters. Then
-//   |f| <= 2.003 σ² V^-2 2^-10 <= 2^-8.99 |y|², so |y|² < 1.0022 R², σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the
-//   balls
-//     are apart), t0 < 1.43 L/V, and with m as above, |m| <= 2.25 L;
+//   |f| <= 2.003 σ² V^-2 2^-10 <= 2^-8.99 |y|², so |y|² < 1.0022 R²,
+//     σ < 1.002 R V <= 0.71 L V (R <= L/√2 when the balls are apart),
+//     t0 < 1.43 L/V, and with m as above, |m| <= 2.25 L;
 //   |σ̂ - σ| <= 3.01 u |y| V + u (|y| V + 2.25·3.02 L V) <= 10 u L V < 2^-9 σ;
 //   the low terms of f add up to at most u (1 + 1 + 2.02 + 2.01) R² + 2.01·3.02 u |m| R <= 18.1 u L R (errors of the
 //     squares, of R², of the sums, R's error, and 2 yl yh), with at most 6 roundings each: 109 u² L R; y's error makes
@@ -133,9 +133,9 @@ struct newton_approach {
 //     what is left out, |yl|² and R's error squared, is at most (3.02·2.25)² u² L² + u² R² <= 47 u² L². Together
 //     |f̂ - f| <= 163 u² L² + 2 u |f|;
 //   V |δ| <= 2.01 V |t1| + 163 u² L² V/σ, of which the last is at most 163 u² γ < 2^-18 of what it comes from, so that
-//   |τ - t0 - t1| <= (1.02·163 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), where 10.2 u L V |t1|
-//   <=
-//     5.1 (u² L² + V² t1²): below (89 u² L² + 7.2 V² t1²)/σ + 4 u |t1|, and that, roundings of this and of t1 ± error
+//   |τ - t0 - t1| <= (1.02·163 u² L² + 4.1 V² t1²)/(2σ)·(1 + 2^-9) + |t1| (10.2 u L V/σ + 4 u), where
+//     10.2 u L V |t1| <= 5.1 (u² L² + V² t1²):
+//     below (89 u² L² + 7.2 V² t1²)/σ + 4 u |t1|, and that, roundings of this and of t1 ± error
 //     included, below error := 2^-99 L²/σ + (8 V² |t1|/σ + 2^-48) |t1|.
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, on which further bounds rest; these also need γ < 2^40 and |t1| <
 // 2^-50 L²/σ (sharp, of which good follows), and then 1 <= 0.51 γ and L V/σ <= 0.715 γ.

@@ -1,4 +1,4 @@
-// An event's time rounded by doubles alone, where that leaves no doubt.
+// An event's time rounded by doubles alone, where these leave no doubt.
 #pragma once
 
 #include <graze/exact/rounding.hpp>
@@ -12,7 +12,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// When two balls meet that do so near `time`, from their row.
+// When two balls meet, near `time`, from their row.
 template <int N, class U>
 struct time_of_row {
     const U* row;

@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// What the surds of a motion in integers are made of.
+// The integers that the numbers p + q√d of a lifted motion consist of.
 template <class M>
 [[nodiscard]] constexpr auto root_sum_integer_of(const M& m) noexcept {
     if constexpr (requires { m.R; }) {
@@ -46,7 +46,7 @@ template <class T, class Z, class M, class From = from_now>
     return round_to<T>(counted(below ? -height : height, speed), -m.r, normal, speed, unit, mode);
 }
 
-// The same of the centres' distance: balls, or a ball and a corner.
+// The same for the centres' distance: balls, or a ball and a corner.
 template <class T, class M, class From = from_now>
 [[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
     const auto q = quadratic_of(m);
@@ -55,7 +55,7 @@ template <class T, class M, class From = from_now>
                             : round_root<T>(q.a, q.h, d, unit, mode, counted);
 }
 
-// Of an event of a wall.
+// For an event of a wall.
 template <class T, int N, class M, class From = from_now>
 [[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode,
                                           const From& counted = {}) {
@@ -74,7 +74,7 @@ template <class T, int N, class M, class From = from_now>
     return round_approach_time<T>(corner_motion(seen_from(m, wall_view{index, false})), unit, mode, counted);
 }
 
-// Of a pair of kind P.
+// For a pair of kind P.
 template <class T, int N, class P, class M, class From = from_now>
 [[nodiscard]] constexpr T round_pair_time(event_kind kind, int index, const M& m, int unit, rounding mode,
                                           const From& counted = {}) {
@@ -127,11 +127,11 @@ template <class T, int N, class U>
 
 // The time of two balls that do not overlap, near `time`, rounded to nearest: by doubles if that leaves no doubt.
 //
-// Of the environment the rounding direction matters alone where the inputs become doubles as they are. Where subnormals
-// are read or written as zeros, an operation loses at most 2^-1022, and R and t0 times that (below 2^201 each) go into
-// |y|² - R²: less than 2^-700, while the error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result of
-// which these bounds leave no doubt is no subnormal double; a float that is one is compared with zero, and in doubt
-// where it is read as that. An input that is a subnormal float, up to 2^-126, must not be read as zero.
+// Only the rounding direction of the environment matters if the inputs become doubles as they are. Where subnormals are
+// read or written as zeros, an operation loses at most 2^-1022, and R and t0 times that (below 2^201 each) go into |y|²
+// - R²: less than 2^-700, while the error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result that
+// these bounds leave in no doubt is no subnormal double; a subnormal float is compared with zero, and is in doubt where
+// it is read as zero. An input that is a subnormal float, up to 2^-126, must not be read as zero.
 template <class T, int N, class U>
 struct nearest_time {
     const event<N, U>* e;
@@ -149,7 +149,7 @@ struct nearest_time {
     }
 };
 
-// The same of a double.
+// The same for a double.
 template <class T>
 [[nodiscard]] constexpr T round_double(const double& x, rounding mode) {
     const binary b = to_binary(x);
@@ -176,7 +176,7 @@ template <class T, int N, class U>
             return round_double<T>(bounds.near, mode);
         }
     }
-    if constexpr (std::numeric_limits<T>::digits < 40) { // the enclosure is hardly ever narrow enough for doubles
+    if constexpr (std::numeric_limits<T>::digits < 40) { // for doubles the enclosure is hardly ever narrow enough
         const double upper = bounds.upper();
         const T low = round_double<T>(bounds.lower(), mode);
         if (bits_of(low) == bits_of(round_double<T>(upper, mode))) {
@@ -184,7 +184,7 @@ template <class T, int N, class U>
         }
     }
     if (!std::is_constant_evaluated()) {
-        if constexpr (is_rounded_by_doubles<U>) { // what nearly every time takes
+        if constexpr (is_rounded_by_doubles<U>) { // enough for nearly every time
             if (mode == rounding::nearest && e.kind == event_kind::balls && !e.timed) [[likely]] {
                 return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
             }

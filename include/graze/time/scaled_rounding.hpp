@@ -52,7 +52,7 @@ template <class T>
     return doubtful ? std::nullopt : std::optional<T>(nearest);
 }
 
-// x 2^scale rounded to nearest, by one comparison of its ends where both x and the result are normal numbers of T: of
+// x 2^scale rounded to nearest, by one comparison of its ends where both x and the result are normal numbers of T; for
 // floats only if nothing is scaled.
 template <class T>
 [[nodiscard]] inline std::optional<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {

@@ -1,4 +1,4 @@
-// D where so much of it cancels that double words keep too little: for the root of two movers that nearly graze.
+// D where so much of it cancels that double words keep too little of it: for the root of two movers that nearly graze.
 #pragma once
 
 #include <graze/formula/relative_motion.hpp>
@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// A number in two doubles, and what it can be off by; not known where it is 0.
+// A number in two doubles, and a bound on its error; not known where it is 0.
 struct sharp_number {
     exact_pair<double> value{0, 0};
     double error = 0;

@@ -1,4 +1,4 @@
-// When a flight and what stands meet first, if they do.
+// When a flight and a plane, wall or triangle meet first, if they do.
 #pragma once
 
 #include <graze/predicate/classify_flights.hpp>
@@ -10,8 +10,8 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// The time of an event of a flight and what stands that happens within the bounds, if these are known, after the
-// flight's since.
+// The time of an event of a flight and a plane, wall or triangle. It is within the bounds, if these are known, after
+// the flight's since.
 template <int N, class T>
 [[nodiscard]] constexpr impact_time<N, T> with_clock(const event<N, T>& e, const enclosure& bounds) {
     if (bounds.is_known()) [[likely]] {

@@ -36,7 +36,7 @@ using time_of_movers = impact_time<dimension_of<B>, number_in<B>>;
 template <moving B>
 using event_of_movers = event<dimension_of<B>, number_in<B>>;
 
-// The time of two movers, made where it is returned. nearest: as an event has it.
+// The time of two movers, made where it is returned. nearest: as in an event.
 template <moving B>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>>
 time_within(const enclosure& bounds, const B& a, const B& b, bool overlap, bool nearest = false) {
@@ -44,7 +44,7 @@ time_within(const enclosure& bounds, const B& a, const B& b, bool overlap, bool 
                                             b, event_kind::balls, 0, overlap, nearest);
 }
 
-// Of two movers that overlap, at their start.
+// For two movers that overlap, at their start.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_overlap(const B& a, const B& b) {
     const auto start = static_cast<double>(start_of(epochs_of(a, b)));
@@ -71,8 +71,8 @@ template <moving B>
     return {nearest, 0x1p-49 * near + (t.unit == 0 ? t.time.error : 0)};
 }
 
-// The time of two movers of which the filter is not certain, or is certain that they hit but not closely enough when:
-// by all further stages, of which `by` becomes the one that was needed.
+// The time of two movers that the filter leaves open, or that it knows to hit but not closely enough when: by all
+// further stages. `by` becomes the one that was needed.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_impact_further(const B& a, const B& b,
                                                                                                stage& by) {
@@ -107,8 +107,8 @@ template <moving B>
     return time_of_impact_exactly(a, b);
 }
 
-// From their start on, of two movers that hit clearly. error_root/a is at most (K_D + 3/2 K_h) length²: √D <= |h| <= √2
-// length·velocity, of balls without the √2.
+// From their start on, for two movers that hit clearly. error_root/a is at most (K_D + 3/2 K_h) length²: √D <= |h| <=
+// √2 length·velocity, for balls without the √2.
 template <moving B, class Started>
 [[nodiscard, gnu::always_inline]] inline enclosure enclosure_from_start(const Started& started,
                                                                         double discriminant) noexcept {
@@ -129,7 +129,7 @@ template <moving B, class Observer>
             observer(by);
             return further;
         }
-        // Half of all pairs part; of the others a hit takes one branch, since what else is asked never differs.
+        // Half of all pairs part; of the others a hit takes one branch, since the other conditions never differ.
         const auto started = start_filter(a, b);
         if (started.is_parting()) {
             observer(stage::filter);

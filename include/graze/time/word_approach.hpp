@@ -1,4 +1,4 @@
-// When two movers meet, in double words with a proven error, whatever cancels but ties.
+// When two movers meet, in double words with a proven error, however much cancels, ties excepted.
 //
 // u = 2^-53, doubles to nearest. What sums and products lose comes from word_rounding; errors are upper bounds, with
 // room for the roundings of their own expressions.
@@ -73,7 +73,7 @@ struct word_cross<Fused, 3> {
     }
 };
 
-// √d, d > 0, with what d can be off by: root and 1/(2 root).high. With r = √dh in doubles, root = r + (d - r²)/(2r) is
+// √d, d > 0, d with an error: root and 1/(2 root).high. With r = √dh in doubles, root = r + (d - r²)/(2r) is
 // off by at most u²/2 root for the next term, 4.5u² for three roundings of what is at most 3u d, and 1.5u² each for
 // 1/(2r) and the product: 2^-102 root covers them. And |√D - √d| <= |D - d|/√d.
 template <bool Fused>
@@ -101,7 +101,7 @@ template <int N, class V>
     return sum;
 }
 
-// Two movers in words: the encounter as far as it is certain, and of a hit a, √D and the time from their start.
+// Two movers in words: the encounter if it is certain, and for a hit a, √D and the time from their start.
 template <bool Fused, moving B>
 struct word_approach {
     static constexpr int N = dimension_of<B>;
@@ -109,7 +109,7 @@ struct word_approach {
 
     relative_motion<N, word, word, word> motion; // in order
     relative_motion<N, term_size, term_size, term_size> size;
-    double off = 0; // what Δx is off by in all: of balls nothing
+    double off = 0; // the error of Δx in all: none for balls
     word_cross<Fused, N> cross;
     word a, root, time;
     double root_error = 0, time_error = 0;
@@ -127,7 +127,7 @@ struct word_approach {
                 return epochs;
             });
         if constexpr (is_flight<B>) {
-            if (as_stored(x.since) != as_stored(y.since)) { // else Δx is exact, as that of balls
+            if (as_stored(x.since) != as_stored(y.since)) { // else Δx is exact, as for balls
                 constexpr double k = of_words::bound(analysed_movers<true>::value<N, of_words>().dx[0]);
                 for (int i = 0; i < N; ++i) {
                     motion.dx[i] = as_input(motion.dx[i]);
@@ -141,8 +141,8 @@ struct word_approach {
         what = decide();
     }
 
-    // Of a hit: √D from more digits of D, if words keep fewer of it than a velocity is rounded from. What the time is
-    // off by for √D hardly matters to it.
+    // For a hit: √D from more digits of D, if words keep fewer of it than the rounding of a velocity needs. The time
+    // hardly needs them.
     [[gnu::always_inline]] void sharpen_root() noexcept {
         if (nearly_grazes) {
             const auto pair = [](const word& x) { return exact_pair<double>{x.high, x.low}; };
@@ -222,7 +222,7 @@ struct word_approach {
         good = is_good();
     }
 
-    // c of movers that nearly touch.
+    // c for movers that nearly touch.
     [[nodiscard, gnu::always_inline]] bounded_value<word> near_c(double lost) const noexcept {
         accurate_sum<Fused> sum;
         for (int i = 0; i < N; ++i) {
