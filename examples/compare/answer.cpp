@@ -2,6 +2,8 @@
 
 #include "text_table.hpp"
 
+#include <graze/formula/encounter.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -91,16 +93,21 @@ std::string sentence_of(const results& found) {
     if (std::none_of(found.rows.begin(), found.rows.end(), timed)) {
         return "Nothing was timed, so no type is the cheapest.";
     }
-    const bool times_are_due =
-        std::any_of(found.rows.begin(), found.rows.end(), [](const row& r) { return times_of(r) > 0; });
+    const auto some = [&](graze::encounter what) {
+        return std::any_of(found.groups.begin(), found.groups.end(),
+                           [&](const auto& g) { return g.encounters.contains(graze::to_string(what)); });
+    };
+    const bool times_are_due = some(graze::encounter::hit) || some(graze::encounter::graze);
     const std::string wanted = std::to_string(found.digits) + (found.digits == 1 ? " digit" : " digits");
-    const std::string all_right =
-        times_are_due ? "no wrong decision and every time right to " + wanted : "no wrong decision";
-    std::string text = times_are_due ? "" : "No pair collides, so no time is needed. ";
+    std::string text = times_are_due                     ? ""
+                       : some(graze::encounter::overlap) ? "What collides overlaps at the start, so no time is needed. "
+                                                         : "No pair collides, so no time is needed. ";
     if (!found.good_enough) {
-        text += "No measured type has " + all_right;
+        text += "No measured type gets every decision right";
+        text += times_are_due ? ", and every time right to " + wanted : "";
     } else {
-        text += "The cheapest type with " + all_right + " is " + in_words(*found.good_enough);
+        text += "The cheapest type with no wrong decision";
+        text += (times_are_due ? " and every time right to " + wanted : "") + " is " + in_words(*found.good_enough);
     }
     if (!found.exact) {
         return text + "; no measured type has exact values.";

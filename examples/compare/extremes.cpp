@@ -51,12 +51,18 @@ std::vector<found_extreme> all_extremes(const results& found) {
     return all;
 }
 
-std::string wrong_text(const results& found, const std::vector<found_extreme>& all, std::size_t most) {
+// A table, and the pair in its first line.
+struct told_pairs {
+    std::string text;
+    std::size_t first = 0;
+};
+
+told_pairs wrong_pairs(const results& found, const std::vector<found_extreme>& all, std::size_t most) {
     std::vector<found_extreme> wrong;
     std::copy_if(all.begin(), all.end(), std::back_inserter(wrong),
                  [](const found_extreme& f) { return !is_error(*f.what) && f.what->what != "undecided"; });
     if (wrong.empty()) {
-        return "";
+        return {};
     }
     // Far from the border a mistake is the worst.
     std::stable_sort(wrong.begin(), wrong.end(),
@@ -92,10 +98,10 @@ std::string wrong_text(const results& found, const std::vector<found_extreme>& a
     if (told.size() > most) {
         text += "and " + std::to_string(told.size() - most) + " more\n";
     }
-    return text + "\n";
+    return {text + "\n", told.front().first.pair->number};
 }
 
-std::string worst_text(const results& found, const std::vector<found_extreme>& all) {
+told_pairs worst_pairs(const results& found, const std::vector<found_extreme>& all) {
     text_table table;
     table.column("pair");
     table.column("which", true);
@@ -104,7 +110,7 @@ std::string worst_text(const results& found, const std::vector<found_extreme>& a
     table.column("error");
     table.column("says", true);
     table.column("in truth", true);
-    std::set<std::string> told;
+    std::size_t first = 0;
     for (const type_information& t : found.types) {
         // Of a type's forms the one that is least bad at its worst.
         const found_extreme* best = nullptr;
@@ -125,13 +131,15 @@ std::string worst_text(const results& found, const std::vector<found_extreme>& a
             table.line({std::to_string(best->pair->number),
                         best->pair->name + (found.groups.size() > 1 ? " of " + best->of->group : ""), t.name,
                         form_of(*best->of), error_text(*best->what), best->what->said, best->what->right});
-            told.insert(t.name);
+            first = first == 0 ? best->pair->number : first;
         }
     }
-    return told.empty() ? ""
-                        : "The largest error of the time, in each type's best form, in units in the last place of a "
-                          "double.\n\n" +
-                              table.text() + "\n";
+    if (first == 0) {
+        return {};
+    }
+    return {"The largest error of the time, in each type's best form, in units in the last place of a double.\n\n" +
+                table.text() + "\n",
+            first};
 }
 
 } // namespace
@@ -155,19 +163,20 @@ std::string in_words(const extreme_pair& e) {
                    (e.which == "nearest" ? ", nearest to the border" : ", farthest from the border");
         }
     }
-    return "largest error of the " + with_spaces(e.what);
+    const auto which = std::find(quantity_names.begin(), quantity_names.end(), e.what) - quantity_names.begin();
+    return std::string("largest error of ") + quantity_words.at(static_cast<std::size_t>(which));
 }
 
 std::string extremes_text(const results& found) {
     constexpr std::size_t most = 10;
     const std::vector<found_extreme> all = all_extremes(found);
-    std::string text = wrong_text(found, all, most) + worst_text(found, all);
-    if (text.empty()) {
+    const told_pairs wrong = wrong_pairs(found, all, most), worst = worst_pairs(found, all);
+    if (wrong.text.empty() && worst.text.empty()) {
         return "";
     }
-    return text +
+    return wrong.text + worst.text +
            wrapped("The command with --pair and a pair's number tells all of it: " + found.program + found.inputs +
-                   " --pair " + std::to_string(all.front().pair->number) +
+                   " --pair " + std::to_string(wrong.text.empty() ? worst.first : wrong.first) +
                    ". --pairs FOLDER writes the scenes of all these pairs; --json and --report hold them too.") +
            "\n";
 }

@@ -179,6 +179,9 @@ int run_comparison(const options& o) {
     draw_conclusions(found);
     show_extremes(found, groups);
     found.seconds = watch.seconds();
+    if (!writes_to_stream(o)) { // before any file: one that cannot be written costs no results
+        std::cout << to_text(found, o.table) << std::flush;
+    }
     if (!o.pairs_folder.empty()) {
         write_pairs(found, o.pairs_folder);
     }
@@ -193,9 +196,6 @@ int run_comparison(const options& o) {
     }
     if (!o.report.empty()) {
         write_report(found, o.report);
-    }
-    if (!writes_to_stream(o)) {
-        std::cout << to_text(found, o.table);
     }
     if (!o.picture.empty()) { // last: without gnuplot this one fails
         write_picture(found, o.picture);

@@ -115,7 +115,9 @@ options parse_options(int argc, const char* const* argv) {
                        "; with /printed or /stable, only that root")
         ->delimiter(',');
     app.add_option("--quantity", quantities,
-                   "Show a table of the errors of each: discriminant, time, crossing, position, velocity")
+                   "Show a table of the errors of each: discriminant, time (of two balls), crossing (the time with a "
+                   "plane, wall or "
+                   "triangle), position, velocity")
         ->delimiter(',');
     app.add_flag("--every-row", o.table.every_row, "Show every form of every type in the table");
     app.add_option("--digits", o.digits, "The decimal digits of the time that you need")
@@ -142,8 +144,7 @@ options parse_options(int argc, const char* const* argv) {
     CLI::App* diff = app.add_subcommand("diff", "Compare two results that --json wrote, or tell the history of more. "
                                                 "Exit code 1: a decision or an error got worse");
     diff->add_option("results", o.result_files, "Result files, the earliest first; - reads the standard input")
-        ->required()
-        ->expected(2, 1000);
+        ->expected(0, 1000);
     diff->add_option("--report", o.diff_report, "Write the differences of two results to this file, in HTML")
         ->check(named());
     CLI::App* running = app.add_subcommand("run", "Prove the sequence of a scene's collisions and find how long each "
@@ -168,6 +169,9 @@ options parse_options(int argc, const char* const* argv) {
     }
     if (diff->parsed()) {
         expect_nothing_before(app, "diff", "graze-compare diff OLD.json NEW.json");
+        if (o.result_files.size() < 2) {
+            throw input_error("diff: two result files are needed: graze-compare diff OLD.json NEW.json");
+        }
     }
     o.numbers = as == "exact" ? number_input::exactly : number_input::as_double;
     if (!o.inputs_file.empty() && o.numbers == number_input::exactly) {

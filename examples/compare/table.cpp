@@ -177,7 +177,9 @@ std::string front_table(const results& found) {
         best = &o;
         table.line({o.how.type, o.how.variant + "/" + o.how.root, short_time(o.how.nanoseconds),
                     std::to_string(o.wrong),
-                    o.fewest_bits == infinity ? (o.times > 0 ? "exact" : "-") : short_number(o.fewest_bits)});
+                    o.fewest_bits == infinity    ? (o.times > 0 ? "exact" : "-")
+                    : o.fewest_bits == -infinity ? "none"
+                                                 : short_number(o.fewest_bits)});
     }
     return table.text();
 }
@@ -245,7 +247,7 @@ std::string to_text(const results& unsafe, const table_options& options) {
     }
     for (const std::vector<quantity>& shown : tables) {
         const std::string what =
-            shown.size() > 1 ? "the time of impact" : quantity_names[static_cast<std::size_t>(shown.front())];
+            shown.size() > 1 ? "the time of impact" : quantity_words[static_cast<std::size_t>(shown.front())];
         out += wrapped(
                    "Decisions, and the error of " + what +
                    ". wrong: wrong decisions, +n? left open, /n of n pairs; worst: "

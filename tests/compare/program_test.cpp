@@ -104,6 +104,35 @@ TEST_CASE("without times there are no trade-offs, and no figure of what was not 
     CHECK(rows[0]["energy"]["largest"] == 0);
 }
 
+TEST_CASE("what no type measured is not told as if it were not there") {
+    const bench here;
+    // A hit, of which floats and doubles overflow; a pair that overlaps; one that recedes.
+    here.write("fast.json", R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [0, 0], "radius": 1},
+        {"position": [1e300, 1e300], "velocity": [-1e308, -1e308], "radius": 1e290}]})");
+    here.write("inside.json", R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [1, 0], "radius": 1},
+        {"position": [1, 0], "velocity": [0, 0], "radius": 1}]})");
+    here.write("apart.json", R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [-1, 0], "radius": 1},
+        {"position": [5, 0], "velocity": [0, 0], "radius": 1}]})");
+    const auto said = [&](const std::string& scene) {
+        return on_one_line(here.run(scene + ".json --types double --timing 0.001").out);
+    };
+    const std::string fast = said("fast");
+    CHECK(holds(fast, "in truth 1 hit"));
+    CHECK(holds(fast, "No measured type gets every decision right, and every time right to 15 digits"));
+    CHECK_FALSE(holds(fast, "No pair collides"));
+    CHECK_FALSE(holds(fast, "inf"));
+    CHECK(holds(said("inside"), "What collides overlaps at the start, so no time is needed."));
+    CHECK(holds(said("apart"), "No pair collides, so no time is needed."));
+}
+
+TEST_CASE("a file that cannot be written costs no results") {
+    const bench here;
+    const ending e = here.run(quick + "--json /dev/full");
+    CHECK(e.code == 2);
+    CHECK(holds(e.err, "/dev/full: cannot be written"));
+    CHECK(holds(e.out, "textbook/printed"));
+}
+
 TEST_CASE("one unit of time") {
     const bench here;
     const ending e = here.run("--family generic --count 12 --types double,cpp_rational --timing 0.01");
@@ -165,6 +194,8 @@ TEST_CASE("the wrong and the worst pairs are named, and their commands show them
     INFO(printed << again.err);
     CHECK(again.code == 0);
     CHECK(holds(again.out, "hexadecimal"));
+    const std::string pair = printed.substr(printed.find("--pair ") + 7); // it stands in a table
+    CHECK(holds(e.out, " " + pair + "  pair " + pair));
     CHECK(holds(content_of(here / "found/pairs.txt"),
                 "graze-compare --family grazing --count 60 --dimension 2 --seed 3 --pair"));
 }
@@ -307,8 +338,8 @@ TEST_CASE("options choose") {
     const ending e = here.run(quick + "--variants lagrange/stable,halved --quantity position,velocity --dimension 3");
     CHECK(e.code == 0);
     CHECK(holds(e.out, "grazing (3D)"));
-    CHECK(holds(e.out, "error of position"));
-    CHECK(holds(e.out, "error of velocity"));
+    CHECK(holds(e.out, "error of the positions"));
+    CHECK(holds(e.out, "error of the velocities"));
     CHECK_FALSE(holds(e.out, "textbook"));
     CHECK(holds(here.run("--family tangent --count 4 --types CGAL::Exact_rational,double --timing 0").out, "double"));
     CHECK(holds(here.run("--help").out, "--family"));
