@@ -8,6 +8,7 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -324,4 +325,84 @@ TEST_CASE("images are met in a scene that has a period") {
         CHECK(found.events[i].who == other.events[i].who);
         CHECK(!(found.events[i].time - other.events[i].time).certain_sign().value_or(0));
     }
+}
+
+namespace {
+
+// Three balls in a cuboid: its six sides as walls, or each as two triangles whose common edge is inner.
+exact_scene<3> cuboid(bool of_triangles) {
+    const std::string balls = R"("balls": [
+        {"position": [1, 1, 1], "velocity": [1, "1/3", "2/7"], "radius": "1/2"},
+        {"position": [4, 3, 2], "velocity": ["-2/3", "1/5", "3/4"], "radius": "3/4", "mass": 2},
+        {"position": [3, 1, 4], "velocity": ["1/9", "5/4", "-1/2"], "radius": "1/3"}], )";
+    const char* sides[6][3] = {{"[0, 0, 0]", "[6, 0, 0]", "[0, 5, 0]"}, {"[0, 0, 5]", "[6, 0, 0]", "[0, 5, 0]"},
+                               {"[0, 0, 0]", "[6, 0, 0]", "[0, 0, 5]"}, {"[0, 5, 0]", "[6, 0, 0]", "[0, 0, 5]"},
+                               {"[0, 0, 0]", "[0, 5, 0]", "[0, 0, 5]"}, {"[6, 0, 0]", "[0, 5, 0]", "[0, 0, 5]"}};
+    const char* far_corners[6] = {"[6, 5, 0]", "[6, 5, 5]", "[6, 0, 5]", "[6, 5, 5]", "[0, 5, 5]", "[6, 5, 5]"};
+    const auto turned = [](std::string edge) { // all of a side's edges lead away from 0
+        const auto at = edge.find_first_of("56");
+        return edge.insert(at, "-");
+    };
+    std::string flats;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto flat = [&](const std::string& corner, const std::string& e, const std::string& f) {
+            flats += (flats.empty() ? "" : ", ") + (R"({"corner": )" + corner) + R"(, "edges": [)" + e + ", " + f +
+                     (of_triangles ? R"(], "inner_edges": [1]})" : "]}");
+        };
+        flat(sides[i][0], sides[i][1], sides[i][2]);
+        if (of_triangles) {
+            flat(far_corners[i], turned(sides[i][1]), turned(sides[i][2]));
+        }
+    }
+    const std::string text =
+        R"({"dimension": 3, )" + balls + (of_triangles ? R"("triangles": [)" : R"("walls": [)") + flats + "]}";
+    return std::get<exact_scene<3>>(read_scene_text(text, "test", number_input::exactly).scene);
+}
+
+} // namespace
+
+TEST_CASE("two triangles that share an inner edge are what the wall is that they cover") {
+    const auto run = [](bool of_triangles) {
+        return certified_run<3>(cuboid(of_triangles), {{}, 24}, {15, 1L << 12U}, progress_line(false));
+    };
+    const certified_result<3> walls = run(false), triangles = run(true);
+    CHECK(walls.problem == "");
+    CHECK(triangles.problem == "");
+    REQUIRE(walls.events.size() == 24);
+    REQUIRE(triangles.events.size() == 24);
+    for (std::size_t i = 0; i < 24; ++i) {
+        graze::scene_pair who = triangles.events[i].who;
+        if (who.with == graze::partner::triangle) {
+            who = {graze::partner::wall, who.a, who.b / 2};
+        }
+        CHECK(who == walls.events[i].who);
+        CHECK(!(triangles.events[i].time - walls.events[i].time).certain_sign().value_or(0));
+    }
+}
+
+TEST_CASE("a certified ball meets a triangle's slanted edge and its corners") {
+    // Onto the edge from (4, 0, 0) to (0, 4, 0) at a distance of r/2, onto a corner likewise, and past the edge by
+    // more.
+    const auto fall = [](const char* x, const char* inner) {
+        const std::string text = std::string(R"({"dimension": 3, "balls": [{"position": )") + x +
+                                 R"(, "velocity": [0, 0, -1], "radius": 1}],
+            "triangles": [{"corner": [0, 0, 0], "edges": [[4, 0, 0], [0, 4, 0]], "inner_edges": )" +
+                                 inner + "}]}";
+        return certified_run<3>(std::get<exact_scene<3>>(read_scene_text(text, "test", number_input::exactly).scene),
+                                {{}, 4}, {15, 1L << 10U}, progress_line(false));
+    };
+    const auto edge = fall(R"(["9/4", "9/4", 5])", "[]"); // (x + y - 4)^2/2 = 1/8 from it: at a height of sqrt(7/8)
+    REQUIRE(edge.events.size() == 1);
+    CHECK(edge.problem == "");
+    CHECK(near_double(edge.events[0].time) == doctest::Approx(5 - std::sqrt(7 / 8.)).epsilon(1e-15));
+    const auto corner = fall(R"(["9/2", "-1/4", 5])", "[]"); // 5/16 from (4, 0, 0)
+    REQUIRE(corner.events.size() == 1);
+    CHECK(near_double(corner.events[0].time) == doctest::Approx(5 - std::sqrt(11 / 16.)).epsilon(1e-15));
+    CHECK(fall(R"([3, 3, 5])", "[]").events.empty());
+    for (const auto& passed : {fall(R"(["9/4", "9/4", 5])", "[1]"), fall(R"(["9/2", "-1/4", 5])", "[1]")}) {
+        CHECK(passed.problem == ""); // and the check refutes nothing
+        CHECK(passed.events.empty());
+    }
+    CHECK(fall(R"(["9/4", "9/4", 5])", "[0, 2]").events.size() == 1);
+    CHECK(fall(R"([1, 1, 5])", "[0, 1, 2]").events.size() == 1); // the face
 }

@@ -207,3 +207,46 @@ TEST_CASE("clearances of a wall in space") {
     CHECK(is(nearest(9, 9, 9), number(6), number(2)));  // a corner
     CHECK(is(nearest(-1, -1, 0), number(0), number(0)));
 }
+
+TEST_CASE("a triangle is passed over at an inner edge alone") {
+    // Falls onto the slanted edge of a triangle, half its radius beside it, at t = 5 - sqrt(7/8).
+    owned_scene<3, certified> s;
+    s.balls.push_back(
+        {{{number(9, 4), number(9, 4), number(5)}}, {{number(0), number(0), number(-1)}}, number(1), number(1)});
+    s.triangles.push_back({{{number(0), number(0), number(0)}},
+                           {{{{number(4), number(0), number(0)}}, {{number(0), number(4), number(0)}}}}});
+    const auto at_the_end = [&](std::uint8_t inner) {
+        s.inner_edges = {inner};
+        event_check<3> check(s);
+        return said([&] { check.end_of_all(); });
+    };
+    const char* passed = "ball 0 and triangle 0 met before that";
+    CHECK(holds(at_the_end(0b000), passed));
+    CHECK(holds(at_the_end(0b101), passed));
+    CHECK(at_the_end(0b010).empty());
+    s.balls[0].position = {{number(1), number(1), number(5)}}; // onto the face
+    CHECK(holds(at_the_end(0b111), passed));
+    s.balls[0].position = {{number(3), number(3), number(5)}}; // past the edge
+    CHECK(at_the_end(0b000).empty());
+    s.balls[0].position = {{number(1), number(-1, 2), number(5)}}; // onto edge 2
+    CHECK(at_the_end(0b100).empty());
+    CHECK(holds(at_the_end(0b011), passed));
+    s.balls[0].position = {{number(1), number(1), number(5)}};
+    s.balls[0].radius = number(0); // a point meets faces alone
+    CHECK(holds(at_the_end(0b111), passed));
+}
+
+TEST_CASE("clearances of a triangle") {
+    const graze::triangle<certified> w{{{number(0), number(0), number(0)}},
+                                       {{{{number(4), number(0), number(0)}}, {{number(0), number(4), number(0)}}}}};
+    const auto nearest = [&](int x, int y, int z) { return nearest_point<3>(w, {{number(x), number(y), number(z)}}); };
+    const auto is = [](const graze::vec<3, certified>& x, int a, int b) {
+        return (x[0] - number(a)).certain_sign() == 0 && (x[1] - number(b)).certain_sign() == 0 &&
+               x[2].certain_sign() == 0;
+    };
+    CHECK(is(nearest(1, 1, 3), 1, 1));   // above it
+    CHECK(is(nearest(3, 3, 1), 2, 2));   // beside the slanting edge
+    CHECK(is(nearest(1, -2, 5), 1, 0));  // beside another one
+    CHECK(is(nearest(9, -1, 2), 4, 0));  // a corner
+    CHECK(is(nearest(-1, -1, 0), 0, 0)); // and another one
+}

@@ -198,6 +198,20 @@ TEST_CASE("nothing collides") {
     CHECK(!holds(e.out, "right for"));
 }
 
+TEST_CASE("a scene of triangles is run") {
+    const bench here;
+    here.write("mesh.json", R"({"dimension": 3, "balls": [
+        {"position": [1, 1, 3], "velocity": [0, 0, -1], "radius": 0.5},
+        {"position": [1, 1.25, 5], "velocity": [0, 0, -1], "radius": 0.5}],
+        "triangles": [{"corner": [0, 0, 0], "edges": [[4, 0, 0], [0, 4, 0]], "inner_edges": [1]}]})");
+    const ending e = here.run("run mesh.json --until 100 --types double --timing 0 --events");
+    INFO(e.out << e.err);
+    CHECK(e.code == 0);
+    CHECK(holds(e.out, "ball 0 and triangle 0"));
+    CHECK(holds(e.out, ", every decision proved ("));
+    CHECK(holds(e.out, "double is right for all 4 collisions"));
+}
+
 TEST_CASE("a scene that has a period is run, and said not to be checked in a second way") {
     const bench here;
     const ending e =

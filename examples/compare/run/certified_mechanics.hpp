@@ -3,6 +3,7 @@
 
 #include "certified_flight.hpp"
 #include "certified_time.hpp"
+#include "flat_shape.hpp"
 
 #include <graze/run/plain_mechanics.hpp>
 #include <graze/solve.hpp>
@@ -30,7 +31,6 @@ class certified_mechanics {
     static constexpr bool rounds = false;
     using ball = graze::ball<N, certified>;
     using plane = graze::plane<N, certified>;
-    using wall = graze::wall<N, certified>;
 
     [[nodiscard]] state start(const ball& b) const { return {{b, certified(0)}}; }
 
@@ -53,8 +53,34 @@ class certified_mechanics {
             }
         });
     }
-    [[nodiscard]] std::optional<time> meet(const state& a, const plane& p) const { return meet_standing(a, p); }
-    [[nodiscard]] std::optional<time> meet(const state& a, const wall& w) const { return meet_standing(a, w); }
+    // What stands is a plane, a wall or a triangle.
+    template <class Standing>
+    [[nodiscard]] std::optional<time> meet(const state& a, const Standing& standing) const {
+        return decided("whether they meet", a, [&]() -> std::optional<time> {
+            try {
+                const std::optional<certified> when = formulas().meet(a, standing);
+                return when ? std::optional(time_of(*when, a, standing)) : std::nullopt;
+            } catch (const undecided_sign&) {
+                if (a.line) {
+                    return meet(exactly(a), standing);
+                }
+                const auto m = graze::relative_motion_of(a.state, plane_of(standing));
+                const certified height = graze::plane_height{}(m), speed = graze::plane_speed{}(m);
+                return not_before(a.since, larger(height, -height) - m.r * sqrt(graze::squared_norm(m.n)),
+                                  larger(speed, -speed), {});
+            }
+        });
+    }
+    // Where that is open, so is whether they meet, and `meet` has said so.
+    [[nodiscard]] graze::wall_encounter feature(const state& a, const graze::triangle<certified>& t) const
+        requires(N == 3) {
+        try {
+            const auto met = graze::solve(exactly(a).state, t);
+            return {met.what, met.where, met.index};
+        } catch (const undecided_sign&) {
+            return {};
+        }
+    }
 
     [[nodiscard]] int order(const time& s, const time& t) const { return order_of(s, t); }
     [[nodiscard]] int order(const time& s, const number& t) const { return order_of(s, {t, nullptr}); }
@@ -76,8 +102,21 @@ class certified_mechanics {
             }
         });
     }
-    void bounce(state& a, const plane& p, const time& t) const { bounce_off(a, p, t); }
-    void bounce(state& a, const wall& w, const time& t) const { bounce_off(a, w, t); }
+    template <class Standing>
+    void bounce(state& a, const Standing& standing, const time& t) const {
+        if (immovable(a)) { // nothing changes its flight
+            return;
+        }
+        decided("how it bounces", a, [&] {
+            if (a.line && is_later(t, a) && is_face(a, standing) && bounce_long(a, plane_of(standing))) {
+                return;
+            }
+            const state x = exactly(a);
+            const auto s = graze::solve(x.state, standing);
+            be_certain(graze::is_collision(s.what));
+            leave(a, x.since + s.time, s.position, s.velocity);
+        });
+    }
 
     // In a scene that has a period: an image is what is there itself, so many periods on.
     std::array<std::int32_t, 3> wrap(state& a, const graze::vec<N, certified>& period) const {
@@ -108,36 +147,39 @@ class certified_mechanics {
             b = displaced(there, -distance);
         }
     }
-    [[nodiscard]] wall displaced(wall w, const graze::image_shift<N, certified>& image) const {
+    template <flat_shape W>
+    [[nodiscard]] W displaced(W w, const graze::image_shift<N, certified>& image) const {
         w.corner = w.corner + image.distance();
         return w;
     }
 
-    [[nodiscard]] int side(const state& a, const plane& p) const {
+    template <class Standing>
+    [[nodiscard]] int side(const state& a, const Standing& standing) const {
         return decided("on which side it is", a, [&] {
-            return graze::sign(graze::plane_height{}(graze::relative_motion_of(exactly(a).state, p)));
+            const auto m = graze::relative_motion_of(exactly(a).state, plane_of(standing));
+            return graze::sign(graze::plane_height{}(m));
         });
     }
-    [[nodiscard]] int heading(const state& a, const plane& p) const {
+    template <class Standing>
+    [[nodiscard]] int heading(const state& a, const Standing& standing) const {
         return decided("whether it comes or goes", a, [&] {
-            return graze::sign(graze::plane_speed{}(graze::relative_motion_of(exactly(a).state, p)));
+            const auto m = graze::relative_motion_of(exactly(a).state, plane_of(standing));
+            return graze::sign(graze::plane_speed{}(m));
         });
     }
-    [[nodiscard]] time reach(const state& a, const plane& p) const {
+    template <class Standing>
+    [[nodiscard]] time reach(const state& a, const Standing& standing) const {
         return decided("when it is there", a, [&] {
-            const auto m = graze::relative_motion_of(exactly(a).state, p);
+            const auto m = graze::relative_motion_of(exactly(a).state, plane_of(standing));
             return time{a.since + graze::centre_crossing_time{}(graze::plane_height{}(m), graze::plane_speed{}(m)),
                         nullptr};
         });
     }
-    [[nodiscard]] time reach(const state& a, const wall& w) const { return reach(a, plane_of(a, w)); }
-    void turn_back(state& a, const plane& p) const {
+    template <class Standing>
+    void turn_back(state& a, const Standing& standing) const {
         a = exactly(a);
-        a.state.velocity = graze::reflected_unnormalised(a.state.velocity, p.normal);
+        a.state.velocity = graze::reflected_unnormalised(a.state.velocity, plane_of(standing).normal);
     }
-    [[nodiscard]] int side(const state& a, const wall& w) const { return side(a, plane_of(a, w)); }
-    [[nodiscard]] int heading(const state& a, const wall& w) const { return heading(a, plane_of(a, w)); }
-    void turn_back(state& a, const wall& w) const { turn_back(a, plane_of(a, w)); }
 
     [[nodiscard]] graze::time_bounds bounds(const time& t) const { return t.value.bounds(); }
     [[nodiscard]] certified as_exact(const certified& x) const { return x; }
@@ -185,14 +227,18 @@ class certified_mechanics {
         const auto& u = a.state.velocity;
         return std::all_of(u.component, u.component + N, [](const certified& c) { return c.certain_sign() == 0; });
     }
-    static const plane& plane_of(const state&, const plane& p) { return p; }
-    static plane plane_of(const state&, const wall& w) { return {w.corner, graze::face_normal(w.edge)}; }
+    static const plane& plane_of(const plane& p) { return p; }
+    template <flat_shape W>
+    static plane plane_of(const W& w) {
+        return {w.corner, graze::face_normal(w.edge)};
+    }
 
     static certified_time::coefficients coefficients_of(const ball& b, const plane& p,
                                                         const graze::wall_solution<N, certified>&) {
         return graze::quadratic_of(graze::relative_motion_of(b, p));
     }
-    static certified_time::coefficients coefficients_of(const ball& b, const wall& w,
+    template <flat_shape W>
+    static certified_time::coefficients coefficients_of(const ball& b, const W& w,
                                                         const graze::wall_solution<N, certified>& s) {
         const auto m = graze::relative_motion_of(b, w);
         if (s.where == graze::feature::face) {
@@ -200,7 +246,8 @@ class certified_mechanics {
         }
         if constexpr (N == 3) {
             if (s.where == graze::feature::edge) {
-                return graze::edge_quadratic(graze::seen_from(m, graze::edge_view(s.index)));
+                const int edge = graze::edge_number(s.index, is_triangle<W>);
+                return graze::edge_quadratic(graze::seen_from(m, graze::edge_view(edge)));
             }
         }
         return graze::quadratic_of(graze::corner_motion(graze::seen_from(m, graze::wall_view{s.index, false})));
@@ -235,46 +282,15 @@ class certified_mechanics {
         shorten(a);
     }
 
-    template <class Standing>
-    std::optional<time> meet_standing(const state& a, const Standing& standing) const {
-        return decided("whether they meet", a, [&]() -> std::optional<time> {
-            try {
-                const std::optional<certified> when = formulas().meet(a, standing);
-                return when ? std::optional(time_of(*when, a, standing)) : std::nullopt;
-            } catch (const undecided_sign&) {
-                if (a.line) {
-                    return meet(exactly(a), standing);
-                }
-                const auto m = graze::relative_motion_of(a.state, plane_of(a, standing));
-                const certified height = graze::plane_height{}(m), speed = graze::plane_speed{}(m);
-                return not_before(a.since, larger(height, -height) - m.r * sqrt(graze::squared_norm(m.n)),
-                                  larger(speed, -speed), {});
-            }
-        });
-    }
     // Whether what a meets there is the face, for certain.
     static bool is_face(const state&, const plane&) { return true; }
-    static bool is_face(const state& a, const wall& w) {
+    template <flat_shape W>
+    static bool is_face(const state& a, const W& w) {
         try {
             return graze::solve(a.state, w).where == graze::feature::face;
         } catch (const undecided_sign&) {
             return false;
         }
-    }
-    template <class Standing>
-    void bounce_off(state& a, const Standing& standing, const time& t) const {
-        if (immovable(a)) { // nothing changes its flight
-            return;
-        }
-        decided("how it bounces", a, [&] {
-            if (a.line && is_later(t, a) && is_face(a, standing) && bounce_long(a, plane_of(a, standing))) {
-                return;
-            }
-            const state x = exactly(a);
-            const auto s = graze::solve(x.state, standing);
-            be_certain(graze::is_collision(s.what));
-            leave(a, x.since + s.time, s.position, s.velocity);
-        });
     }
 
     static void be_certain(bool they_meet) {

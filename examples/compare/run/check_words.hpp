@@ -23,8 +23,8 @@ template <int N>
 [[nodiscard]] const vector_of<N>& normal_of(const graze::plane<N, certified>& p) {
     return p.normal;
 }
-template <int N>
-[[nodiscard]] vector_of<N> normal_of(const graze::wall<N, certified>& w) {
+template <int N, flat_shape W>
+[[nodiscard]] vector_of<N> normal_of(const W& w) {
     if constexpr (N == 2) {
         return {{-w.edge[0][1], w.edge[0][0]}};
     } else {
@@ -35,8 +35,8 @@ template <int N>
 [[nodiscard]] const vector_of<N>& point_of(const graze::plane<N, certified>& p) {
     return p.point;
 }
-template <int N>
-[[nodiscard]] const vector_of<N>& point_of(const graze::wall<N, certified>& w) {
+template <int N, flat_shape W>
+[[nodiscard]] const vector_of<N>& point_of(const W& w) {
     return w.corner;
 }
 
@@ -71,14 +71,16 @@ template <int N>
     }
 }
 
-// Of x, which is in the plane of the wall: 1 inside the wall, 0 on its border, -1 beside it; empty where that is open.
+// Of x, which is in the plane of a wall or a triangle: 1 inside it, 0 on its border, -1 beside it; empty where that is
+// open.
 template <int N>
 [[nodiscard]] std::optional<int> place_in(const graze::plane<N, certified>&, const vector_of<N>&) {
     return 1;
 }
-template <int N>
-[[nodiscard]] std::optional<int> place_in(const graze::wall<N, certified>& w, const vector_of<N>& x) {
+template <int N, flat_shape W>
+[[nodiscard]] std::optional<int> place_in(const W& w, const vector_of<N>& x) {
     std::optional<int> least = 1;
+    certified left = 1; // of the shares, in a triangle
     for (std::size_t i = 0; i < w.edge.size(); ++i) {
         const vector_of<N> from = x - w.corner, &e = w.edge[i];
         vector_of<N> across = e; // within the wall, across its other edge
@@ -86,7 +88,8 @@ template <int N>
             across = graze::cross(w.edge[1 - i], normal_of<N>(w));
         }
         const certified share = graze::dot(from, across) / graze::dot(e, across);
-        const auto low = share.certain_sign(), high = (certified(1) - share).certain_sign();
+        left = is_triangle<W> ? left - share : certified(1) - share;
+        const auto low = share.certain_sign(), high = left.certain_sign();
         if (low == -1 || high == -1) {
             return -1;
         }

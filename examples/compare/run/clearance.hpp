@@ -2,11 +2,12 @@
 // no root, nothing of formula/: places and slopes alone.
 #pragma once
 
-#include "certified.hpp"
+#include "flat_shape.hpp"
 
 #include <graze/formula/relative_motion.hpp>
 #include <graze/shape/flight.hpp>
 #include <graze/shape/plane.hpp>
+#include <graze/shape/triangle.hpp>
 #include <graze/shape/wall.hpp>
 
 #include <array>
@@ -28,9 +29,14 @@ template <int N>
     return a.state.position + (t - a.since) * a.state.velocity;
 }
 
-// The point of a wall that is nearest to x.
+// The point of a wall, a triangle or a segment that is nearest to x.
 template <int N>
 [[nodiscard]] vector_of<N> nearest_point(const graze::wall<N, certified>& w, const vector_of<N>& x);
+template <int N>
+[[nodiscard]] vector_of<N> nearest_point(const graze::triangle<certified>& t, const vector_of<N>& x);
+template <int N>
+[[nodiscard]] vector_of<N> nearest_on_segment(const vector_of<N>& corner, const vector_of<N>& edge,
+                                              const vector_of<N>& x);
 
 template <int N>
 [[nodiscard]] clearance clearance_at(const graze::flight<N, certified>& a, const graze::flight<N, certified>& b,
@@ -45,9 +51,8 @@ template <int N>
     const certified height = graze::dot(place_at(a, t) - p.point, p.normal), &r = a.state.radius;
     return {height * height - r * r * graze::squared_norm(p.normal), height * graze::dot(a.state.velocity, p.normal)};
 }
-template <int N>
-[[nodiscard]] clearance clearance_at(const graze::flight<N, certified>& a, const graze::wall<N, certified>& w,
-                                     const certified& t) {
+template <int N, flat_shape W>
+[[nodiscard]] clearance clearance_at(const graze::flight<N, certified>& a, const W& w, const certified& t) {
     const vector_of<N> x = place_at(a, t), apart = x - nearest_point<N>(w, x);
     return {graze::squared_norm(apart) - a.state.radius * a.state.radius, graze::dot(apart, a.state.velocity)};
 }
@@ -62,6 +67,11 @@ template <class Of>
 // From an instant on, for ever.
 template <class Of>
 [[nodiscard]] verdict clear_after(Of of, const certified& from);
+
+// An enclosure of when it first is 0, or of when it is least if it never is so for certain; at most `to`, if there is
+// one.
+template <class Of>
+[[nodiscard]] certified first_touch(Of of, const certified& from, const certified* to);
 
 // What follows is of the templates above.
 
@@ -144,6 +154,28 @@ verdict clear_after(Of of, const certified& from) {
         }
     }
     return verdict::open;
+}
+
+template <class Of>
+certified first_touch(Of of, const certified& from, const certified* to) {
+    constexpr int halvings = 64;
+    constexpr long bits = 2 * halvings;
+    const auto grows = [](const clearance& c) { return c.slope.certain_sign().value_or(1) >= 0; };
+    const auto is_touched = [](const clearance& c) { return c.value.certain_sign().value_or(1) <= 0; };
+    certified lower = from, upper = to != nullptr ? *to : from + certified(exact(1), from.bits());
+    for (int i = 0; to == nullptr && i < 1100 && !grows(of(upper)); ++i) {
+        upper = upper + (upper - from);
+    }
+    // The side of the first instant of which that holds, where it holds from there on.
+    const auto halve = [&](auto holds) {
+        const certified middle = (lower + upper) * certified(exact(1, 2), from.bits());
+        (holds(of(middle)) ? upper : lower) = middle;
+    };
+    const auto touches = [&](const clearance& c) { return is_touched(c) || grows(c); };
+    for (int i = 0; i < halvings; ++i) {
+        halve(touches);
+    }
+    return either(lower.at(bits), upper.at(bits));
 }
 
 } // namespace compare::run

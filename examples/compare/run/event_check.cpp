@@ -36,17 +36,31 @@ event_check<N>::event_check(const owned_scene<N, certified>& scene)
         reach(b.position);
         size_ = std::max(size_, near_double(b.radius));
     }
-    for (const auto& w : scene.walls) {
+    const auto reach_of_flat = [&](const auto& w) {
         reach(w.corner);
         reach(w.edge[0]);
+    };
+    std::for_each(scene.walls.begin(), scene.walls.end(), reach_of_flat);
+    if constexpr (N == 3) {
+        std::for_each(scene.triangles.begin(), scene.triangles.end(), reach_of_flat);
     }
 }
 
 template <int N>
 graze::scene_pair event_check<N>::named(int a, std::size_t standing) const {
-    return standing < scene_.planes.size()
-               ? graze::scene_pair{graze::partner::plane, a, static_cast<int>(standing)}
-               : graze::scene_pair{graze::partner::wall, a, static_cast<int>(standing - scene_.planes.size())};
+    if (standing < scene_.planes.size()) {
+        return {graze::partner::plane, a, static_cast<int>(standing)};
+    }
+    return standing < first_triangle()
+               ? graze::scene_pair{graze::partner::wall, a, static_cast<int>(standing - scene_.planes.size())}
+               : graze::scene_pair{graze::partner::triangle, a, static_cast<int>(standing - first_triangle())};
+}
+
+template <int N>
+std::size_t event_check<N>::standing_of(const graze::scene_pair& who) const {
+    return static_cast<std::size_t>(who.b) + (who.with == graze::partner::plane  ? 0
+                                              : who.with == graze::partner::wall ? scene_.planes.size()
+                                                                                 : first_triangle());
 }
 
 template <int N>

@@ -24,8 +24,8 @@ struct refuted_event : std::logic_error {
 // Follows a run from its start. Of each event it checks that the two touch there and then, coming closer; that they
 // part by the laws (momentum, energy, nothing across the normal); and that on their ways to it neither had met anything
 // else. A true number that an enclosure leaves open throws graze::undecided, one that contradicts throws refuted_event.
-// By convention, and so not checked: the order of events that share a ball at one instant, and what becomes of a point
-// on a wall's border. Scenes that have a period are not checked.
+// By convention, and so not checked: the order of events that share a ball at one instant, what becomes of a point on a
+// wall's border, and a touch at what may be an inner edge. Scenes that have a period are not checked.
 template <int N>
 class event_check {
   public:
@@ -57,10 +57,18 @@ class event_check {
     double size_ = 0; // the largest coordinate
     bool is_periodic_;
 
-    [[nodiscard]] std::size_t standing() const { return scene_.planes.size() + scene_.walls.size(); }
+    // Planes, walls and triangles are numbered in this order.
+    [[nodiscard]] std::size_t first_triangle() const { return scene_.planes.size() + scene_.walls.size(); }
+    [[nodiscard]] std::size_t standing() const { return first_triangle() + scene_.triangles.size(); }
+    [[nodiscard]] std::size_t standing_of(const graze::scene_pair& who) const;
     [[nodiscard]] graze::scene_pair named(int a, std::size_t standing) const;
     template <class F>
     auto with_standing(std::size_t standing, F f) const {
+        if constexpr (N == 3) {
+            if (standing >= first_triangle()) {
+                return f(scene_.triangles[standing - first_triangle()]);
+            }
+        }
         return standing < scene_.planes.size() ? f(scene_.planes[standing])
                                                : f(scene_.walls[standing - scene_.planes.size()]);
     }
@@ -72,6 +80,7 @@ class event_check {
     void check_pair(int a, int b, const certified* t, bool meet) const;
     void check_standing(int a, std::size_t b, const certified* t, bool meet) const;
     void check_point(int a, std::size_t b, const certified* t, bool meet) const;
+    [[nodiscard]] bool may_touch_inner_edge(const mover& x, std::size_t b, const certified* t) const;
     [[nodiscard]] bool keeps_aside(const mover& x) const;
     [[nodiscard]] int side_along(const mover& x, const vector_of<N>& normal) const;
     void note_sides(int a, const certified& t, const graze::scene_pair& who);

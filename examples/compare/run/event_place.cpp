@@ -7,14 +7,6 @@
 
 namespace compare::run {
 
-namespace {
-
-std::size_t standing_of(const graze::scene_pair& who, std::size_t planes) {
-    return static_cast<std::size_t>(who.b) + (who.with == graze::partner::wall ? planes : 0);
-}
-
-} // namespace
-
 template <int N>
 void event_check<N>::check_place(const graze::scene_pair& who, const certified& t) const {
     const mover& a = movers_[static_cast<std::size_t>(who.a)];
@@ -30,7 +22,7 @@ void event_check<N>::check_place(const graze::scene_pair& who, const certified& 
             leave_open(who, "where they meet", t);
         }
     }
-    const std::size_t standing = two ? 0 : standing_of(who, scene_.planes.size());
+    const std::size_t standing = two ? 0 : standing_of(who);
     const clearance there = two ? clearance_at<N>(a.now, b->now, t)
                                 : with_standing(standing, [&](const auto& s) { return clearance_at<N>(a.now, s, t); });
     const std::optional<int> apart = there.value.certain_sign(), going = there.slope.certain_sign();
@@ -78,7 +70,7 @@ void event_check<N>::check_laws(const graze::scene_pair& who, const certified& t
         is_wrong(agree<N>(place_at<N>(a, t), at));
     }
     if (b == nullptr) {
-        with_standing(standing_of(who, scene_.planes.size()), [&](const auto& s) {
+        with_standing(standing_of(who), [&](const auto& s) {
             vector_of<N> normal = normal_of<N>(s);
             if (!is_point(x)) {
                 const clearance before = clearance_at<N>(x.now, s, t), after = clearance_at<N>(a, s, t);

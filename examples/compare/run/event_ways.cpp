@@ -3,6 +3,7 @@
 #include "event_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace compare::run {
@@ -57,7 +58,32 @@ void event_check<N>::check_standing(int a, std::size_t b, const certified* t, bo
         const flight& f = coarse ? x.coarse : x.now;
         return with_standing(b, [&](const auto& s) { return verdict_of(f, s, f.since, t, meet); });
     });
-    judge(v, named(a, b), x.now.since);
+    if (v == verdict::clear || !may_touch_inner_edge(x, b, t)) {
+        judge(v, named(a, b), x.now.since);
+    }
+}
+
+// At an inner edge of a triangle, and at its ends, nothing is met.
+template <int N>
+bool event_check<N>::may_touch_inner_edge(const mover& x, std::size_t b, const certified* t) const {
+    if constexpr (N == 3) {
+        if (b >= first_triangle() && !scene_.inner_edges.empty()) {
+            const graze::triangle<certified>& s = scene_.triangles[b - first_triangle()];
+            const auto clearance_then = [&](const certified& then) { return clearance_at<3>(x.now, s, then); };
+            const vector_of<3> at = place_at<3>(x.now, first_touch(clearance_then, x.now.since, t));
+            const certified nearest = graze::squared_norm(at - nearest_point<3>(s, at));
+            const std::array<std::pair<vector_of<3>, vector_of<3>>, 3> edges = {
+                {{s.corner, s.edge[1]}, {s.corner + s.edge[0], s.edge[1] - s.edge[0]}, {s.corner, s.edge[0]}}};
+            for (std::size_t k = 0; k < edges.size(); ++k) {
+                const vector_of<3> on_edge = nearest_on_segment<3>(edges[k].first, edges[k].second, at);
+                if ((scene_.inner_edges[b - first_triangle()] >> k & 1U) != 0 &&
+                    (graze::squared_norm(at - on_edge) - nearest).certain_sign() != 1) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
 }
 
 template <int N>

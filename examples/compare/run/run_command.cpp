@@ -241,9 +241,6 @@ bool run_scene(const run_options& o, const std::string& command, const progress_
     if (!o.paths.empty() && std::holds_alternative<exact_scene<3>>(file.scene)) {
         throw input_error("--paths: " + printable(o.scene) + " is no scene in the plane");
     }
-    if (const auto* space = std::get_if<exact_scene<3>>(&file.scene); space != nullptr && !space->triangles.empty()) {
-        throw input_error("run: " + printable(o.scene) + " holds triangles, which are not known to certified runs");
-    }
     std::cout << std::visit([](const auto& scene) { return overlap_remark(scene); }, file.scene) << std::flush;
     note_interruptions();
     run_report r = std::visit([&](const auto& scene) { return report_of(scene, o, types, line); }, file.scene);

@@ -5,6 +5,8 @@
 
 #include <graze/scene/scene.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace compare::run {
@@ -16,10 +18,16 @@ struct owned_scene {
     std::vector<graze::plane<N, T>> planes;
     std::vector<graze::wall<N, T>> walls;
     graze::vec<N, T> period = graze::make_vec<N>([](int) { return T(0); });
+    std::vector<graze::triangle<T>> triangles = {}; // in space
+    std::vector<std::uint8_t> inner_edges = {};     // of each of them
 
     [[nodiscard]] graze::scene<N, T> view() const {
         graze::scene<N, T> s{balls, planes, walls};
         s.period = period;
+        if constexpr (N == 3) {
+            s.triangles = triangles;
+            s.inner_edges = inner_edges;
+        }
         return s;
     }
 };
@@ -40,11 +48,14 @@ template <class T, int N, class Convert>
         result.planes.push_back({vector_in(p.point), vector_in(p.normal)});
     }
     for (const graze::wall<N, exact>& w : scene.walls) {
-        graze::wall<N, T> wall{vector_in(w.corner), {}};
-        for (std::size_t i = 0; i < w.edge.size(); ++i) {
-            wall.edge[i] = vector_in(w.edge[i]);
+        result.walls.push_back({vector_in(w.corner), {}});
+        std::transform(w.edge.begin(), w.edge.end(), result.walls.back().edge.begin(), vector_in);
+    }
+    if constexpr (N == 3) {
+        for (const graze::triangle<exact>& t : scene.triangles) {
+            result.triangles.push_back({vector_in(t.corner), {vector_in(t.edge[0]), vector_in(t.edge[1])}});
         }
-        result.walls.push_back(std::move(wall));
+        result.inner_edges = scene.inner_edges;
     }
     return result;
 }

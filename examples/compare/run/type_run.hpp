@@ -154,7 +154,7 @@ class type_run {
     void drift(history& found, const graze::run<M>& run) const {
         wide energy = 0, before = 0, momentum = 0;
         graze::vec<N, wide> gained{};
-        bool alone = scene_.planes.empty() && scene_.walls.empty(); // nothing takes momentum
+        bool alone = own_.planes.empty() && own_.walls.empty() && own_.triangles.empty(); // nothing takes momentum
         for (std::size_t i = 0; i < scene_.balls.size(); ++i) {
             if (scene_.balls[i].inverse_mass.is_zero()) {
                 alone = false;
