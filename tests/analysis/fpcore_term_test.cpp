@@ -35,7 +35,7 @@ bool is_symbol(const std::string& s) {
     }
     return good;
 }
-bool is_number(const std::string& s) { // decimal ones, of which integers are a part
+bool is_number(const std::string& s) { // whole ones, which are all that is written
     const std::size_t from = s.starts_with('-') || s.starts_with('+') ? 1 : 0;
     return s.size() > from && s.find_first_not_of("0123456789", from) == std::string::npos;
 }
@@ -80,7 +80,10 @@ class parser {
         }
         const std::size_t from = at_;
         if (text_[at_] == '"') {
-            at_ = text_.find('"', at_ + 1) + 1;
+            for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
+                at_ += text_[at_] == '\\' ? 1 : 0;
+            }
+            ++at_;
         } else {
             while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) == 0 &&
                    std::string("()[]").find(text_[at_]) == std::string::npos) {
@@ -225,8 +228,19 @@ TEST_CASE("what is no FPCore is told apart") {
 TEST_CASE("names that are no symbols are refused") {
     graze::fpcore_script script;
     static_cast<void>(script.input("dx_0"));
-    for (const char* wrong : {"", "dx[0]", "1x", "a b", "t0", "dx_0", "\"x\"", "x;y"}) {
+    for (const char* wrong : {"", "dx[0]", "1x", "a b", "t0", "dx_0", "\"x\"", "x;y", ":x", "-1", "+2/3", ".5", "-.5e3",
+                              "-0x1p3", "E", "PI", "M_2_SQRTPI", "NAN", "TRUE"}) {
         CAPTURE(wrong);
         CHECK_THROWS_AS(static_cast<void>(script.input(wrong)), std::invalid_argument);
     }
+}
+
+TEST_CASE("a name is a string of FPCore, whatever is in it") {
+    graze::fpcore_script script;
+    const graze::fpcore_term x = script.input("e"), minus = script.input("-");
+    const std::string text = script.text(x + minus, R"(the "halved" one, a\b)");
+    CHECK(text.find(R"(:name "the \"halved\" one, a\\b")") != std::string::npos);
+    CHECK(run(text, {{"e", 1}, {"-", 2}}) == 3);
+    CHECK_THROWS_AS(static_cast<void>(script.text(x, "h² - ac")), std::invalid_argument);
+    CHECK_THROWS_AS(static_cast<void>(script.text(x, "two\nlines")), std::invalid_argument);
 }

@@ -18,21 +18,27 @@ class fpcore_term;
 // Collects a run: inputs by name, and every operation once, in the order in which the formula computes them.
 class fpcore_script {
   public:
-    // A symbol of FPCore: letters, digits and any of ~!@$%^&*_-+=<>.?/: but no digit first. Throws
-    // std::invalid_argument for anything else, for a name that is taken, and for t0, t1 and so on, which name what is
-    // computed.
+    // A symbol of FPCore: letters, digits and any of ~!@$%^&*_-+=<>.?/: but no digit or colon first. Throws
+    // std::invalid_argument for anything else; for what FPCore reads as a number, such as -1 and .5, or as a constant,
+    // such as E and PI; for a name that is taken; and for t0, t1 and so on, which name what is computed.
     [[nodiscard]] fpcore_term input(const std::string& name);
 
     // A fact about the inputs, an expression of FPCore such as "(< 0 R)".
     void suppose(const std::string& fact) { facts_.push_back(fact); }
 
-    // The whole of it. precision: "binary32", "binary64", "binary128", "real" or another that the tools know.
+    // The whole of it. name: printable ASCII; std::invalid_argument for anything else, which FPCore's strings cannot
+    // hold. precision: "binary32", "binary64", "binary128", "real" or another that the tools know.
     [[nodiscard]] std::string text(const fpcore_term& result, const std::string& name,
                                    const std::string& precision = "binary64") const;
 
   private:
     friend class fpcore_term;
     std::vector<std::string> inputs_, facts_, operations_;
+
+    static constexpr const char* digits = "0123456789";
+    [[nodiscard]] static bool is_symbol(const std::string& name);
+    [[nodiscard]] static bool is_constant(const std::string& name); // and numbers
+    [[nodiscard]] static std::string quoted(const std::string& name);
 };
 
 class fpcore_term {
@@ -85,25 +91,50 @@ class fpcore_term {
     std::string text_;
 };
 
+inline bool fpcore_script::is_symbol(const std::string& name) {
+    const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ~!@$%^&*_-+=<>.?/:";
+    return !name.empty() && letters.find(name.front()) != std::string::npos && name.front() != ':' &&
+           name.find_first_not_of(letters + digits) == std::string::npos;
+}
+inline bool fpcore_script::is_constant(const std::string& name) {
+    for (const char* constant : {"E", "LOG2E", "LOG10E", "LN2", "LN10", "PI", "PI_2", "PI_4", "M_1_PI", "M_2_PI",
+                                 "M_2_SQRTPI", "SQRT2", "SQRT1_2", "INFINITY", "NAN", "TRUE", "FALSE"}) {
+        if (name == constant) {
+            return true;
+        }
+    }
+    const std::size_t first = name.find_first_not_of("+-."); // a sign, a point
+    return first != std::string::npos && first <= 2 && std::string(digits).find(name[first]) != std::string::npos;
+}
+
 inline fpcore_term fpcore_script::input(const std::string& name) {
-    constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ~!@$%^&*_-+=<>.?/:";
-    constexpr const char* digits = "0123456789";
-    const bool is_symbol = !name.empty() && std::string(digits).find(name.front()) == std::string::npos &&
-                           name.find_first_not_of(std::string(letters) + digits) == std::string::npos;
     const bool is_ours =
         name.size() > 1 && name.front() == 't' && name.find_first_not_of(digits, 1) == std::string::npos;
     bool is_taken = false;
     for (const std::string& other : inputs_) {
         is_taken = is_taken || other == name;
     }
-    if (!is_symbol || is_ours || is_taken) {
-        throw std::invalid_argument("fpcore_script::input: \"" + name + "\" is " +
-                                    (is_taken  ? "taken"
-                                     : is_ours ? "the name of a result"
-                                               : "no symbol of FPCore"));
+    const char* problem = !is_symbol(name)    ? "no symbol of FPCore"
+                          : is_constant(name) ? "a number or a constant of FPCore"
+                          : is_taken          ? "taken"
+                          : is_ours           ? "the name of a result"
+                                              : nullptr;
+    if (problem != nullptr) {
+        throw std::invalid_argument("fpcore_script::input: \"" + name + "\" is " + problem);
     }
     inputs_.push_back(name);
     return {this, name};
+}
+
+inline std::string fpcore_script::quoted(const std::string& name) {
+    std::string text = "\"";
+    for (const char c : name) {
+        if (c < ' ' || c > '~') {
+            throw std::invalid_argument("fpcore_script::text: the name is not of printable ASCII");
+        }
+        text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    }
+    return text + "\"";
 }
 
 inline std::string fpcore_script::text(const fpcore_term& result, const std::string& name,
@@ -112,7 +143,7 @@ inline std::string fpcore_script::text(const fpcore_term& result, const std::str
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
         text += (i == 0 ? "" : " ") + inputs_[i];
     }
-    text += ")\n :name \"" + name + "\"\n :precision " + precision + "\n";
+    text += ")\n :name " + quoted(name) + "\n :precision " + precision + "\n";
     if (!facts_.empty()) {
         text += " :pre (and";
         for (const std::string& fact : facts_) {
