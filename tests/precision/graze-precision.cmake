@@ -265,7 +265,7 @@ function(graze_add_precision_test name)
         list(JOIN all_flags " " all_flags)
         set(compiler "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
         graze_precision_sources("${folder}" run.hpp
-            "precision::run(argc, argv, list, \"${compiler}\", \"${all_flags}\")" sources)
+            "precision::run(argc, argv, list, \"${compiler}\", R\"flags(${all_flags})flags\")" sources)
         add_executable(${this} ${own_exclude} ${sources})
         target_link_libraries(${this} PRIVATE graze::graze ${arg_LIBRARIES} graze_precision_suite)
         if(TARGET graze_warnings)

@@ -157,6 +157,10 @@ struct discriminant_of_motion {
     }
 };
 
+struct odd : discriminant_of_motion {
+    static constexpr const char* name = "#h² - a/c !";
+};
+
 } // namespace
 
 TEST_CASE("a formula may return what solve does, or be a discriminant of the motion") {
@@ -176,6 +180,14 @@ TEST_CASE("a formula may return what solve does, or be a discriminant of the mot
     REQUIRE(discriminant->values.size() == 1);
     CHECK(discriminant->values[0].components[0].parts[0] == 4);
     CHECK_FALSE((*list[1])(pair<2>{{{0, 0}, {1, 0}, 1}, graze::plane<2>{{9, 0}, {1, 0}}}));
+}
+
+TEST_CASE("whatever a formula is called, its figures are read as they were written") {
+    graze::precision::subjects list;
+    graze::precision::add<odd, double>(list);
+    CHECK(list[0]->variant == "_h²_-_a_c__");
+    CHECK(graze::precision::word_of("") == "_");
+    CHECK(graze::precision::word_of("lagrange.stable") == "lagrange.stable");
 }
 
 TEST_CASE("what shrinks keeps showing the loss") {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -115,18 +116,24 @@ struct number_type {
     reading (*rounded)(double) = nullptr; // of a decimal type: what it holds for x, which is no double
 };
 
-// The name is without spaces; that of long double contains its digits, which differ between platforms. A type without a
-// number of digits gets those of double. Sums of several doubles have the exponents of double, but a unit in the last
-// place far below the smallest double; for them, lowest is as if the exponents had no lower limit.
+// A name as one word of tables, and of files of figures, in which a slash, # and ! have meanings of their own.
+[[nodiscard]] inline std::string word_of(std::string name) {
+    constexpr std::string_view marks = " \t\n\r/#!";
+    for (char& letter : name) {
+        letter = marks.find(letter) != std::string_view::npos ? '_' : letter;
+    }
+    return name.empty() ? "_" : name;
+}
+
+// The name is word_of that of the traits; that of long double contains its digits, which differ between platforms. A
+// type without a number of digits gets those of double. Sums of several doubles have the exponents of double, but a
+// unit in the last place far below the smallest double; for them, lowest is as if the exponents had no lower limit.
 template <number T>
 [[nodiscard]] number_type describe() {
     using traits = number_traits<T>;
     using limits = std::numeric_limits<T>;
     number_type type;
-    type.name = traits::name;
-    for (char& letter : type.name) {
-        letter = letter == ' ' ? '_' : letter;
-    }
+    type.name = word_of(traits::name);
     if constexpr (traits::digits > 0) {
         type.digits = traits::digits;
     }

@@ -123,7 +123,7 @@ class typed_subject final : public subject {
 // plane, a wall or a triangle (or, for an order, four balls), in the plane, in space or both. It returns an answer, or
 // the ball_solution or wall_solution of graze::solve. A discriminant may be called with the relative_motion of two
 // balls instead, and return a T. It has
-//   static constexpr const char* name;      its name in tables, a word
+//   static constexpr const char* name;      its name in tables, as one word
 //   static constexpr quantity measures;     the quantity that counts as wrong if it throws
 //   static constexpr bool correctly_rounded = true;   if it promises that nothing is ever wrong
 template <class F, class T>
@@ -136,7 +136,7 @@ template <class F, number T>
 requires measurable<F, T>
 void add(subjects& list) {
     auto s = std::make_unique<detail::typed_subject<F, T>>();
-    s->variant = F::name;
+    s->variant = word_of(F::name);
     s->measures = F::measures;
     s->type = describe<T>();
     if constexpr (requires { F::correctly_rounded; }) {
