@@ -109,7 +109,13 @@ namespace detail {
 
 // Dimension and number type of a type that vector_access reads.
 template <class V>
-using vec_like = vector_access<std::remove_cvref_t<V>>;
+struct read_vector : vector_access<V> {
+    static_assert(vector_like<V>,
+                  "graze: this is not read as a vector of two or three components: graze/linear/adapter/ "
+                  "has Eigen's, glm's and Bullet's; specialise graze::vector_access for another one");
+};
+template <class V>
+using vec_like = read_vector<std::remove_cvref_t<V>>;
 
 // A number or vector of a shape. It must have the shape's number type already: nothing is rounded on the way.
 template <class T, class U>
