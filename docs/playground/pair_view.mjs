@@ -29,6 +29,7 @@ export class PairView {
       ...arithmetics,
     ]);
     this.page.panels.className = 'pair';
+    this.answers = null;
     for (const panel of this.panels.slice(1)) this.#listen(panel.canvas);
     await this.#decide();
   }
@@ -53,9 +54,19 @@ export class PairView {
   async #decide() {
     const asked = (this.asked = Symbol('the last question'));
     const answers = [];
-    for (const how of [0, 1, 2]) answers.push(await this.engine.decide(how, this.scene.balls, side, this.step));
+    try {
+      for (const how of [0, 1, 2]) answers.push(await this.engine.decide(how, this.scene.balls, side, this.step));
+    } catch (error) {
+      if (asked !== this.asked) return;
+      if (!this.answers) throw error;
+      this.level = this.decided; // stays where it was
+      this.draw();
+      this.page.verdict.textContent = `No farther: ${error.message}.`;
+      return;
+    }
     if (asked !== this.asked) return; // another one has been put since
     this.answers = answers;
+    this.decided = this.level;
     this.chosen = this.#nearestWrong();
     this.draw();
     this.#tell();
@@ -120,7 +131,7 @@ export class PairView {
     const wrong = this.#wrong(1);
     verdict.textContent =
       wrong === 0
-        ? `At this scale doubles decide all ${side * side} positions as they are. Zoom in until they don’t.`
+        ? `At this scale doubles decide all ${(side * side).toLocaleString('en')} positions as they are. Zoom in until they don’t.`
         : `Doubles decide ${wrong.toLocaleString('en')} of ${(side * side).toLocaleString('en')} positions wrongly: that balls meet which miss each other, or the reverse.`;
     const {i, j} = this.chosen;
     const [a, b] = this.scene.balls;

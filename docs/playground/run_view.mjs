@@ -109,7 +109,7 @@ export class RunView {
       const k = this.parting(how);
       return k === Infinity ? `${arithmetics[how].title} has the same events` : `${arithmetics[how].title} leaves them at event ${k + 1}`;
     });
-    this.page.verdict.textContent = `${exact.events.length} events, ${endings[exact.ending]}; ${parts.join(', ')}.`;
+    this.page.verdict.textContent = `${exact.events.length} ${exact.events.length === 1 ? 'event' : 'events'}, ${endings[exact.ending]}; ${parts.join(', ')}.`;
   }
 
   // The events around this one, with their times to the last bit.

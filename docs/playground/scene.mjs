@@ -9,7 +9,7 @@ const keys = {
 };
 
 function fail(place, message) {
-  throw new Error(`${place}: ${message}`);
+  throw new Error(place === '' ? message : `${place}: ${message}`);
 }
 
 function checkKeys(object, kind, place) {

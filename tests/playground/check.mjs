@@ -147,6 +147,30 @@ async function checkSharing(screen) {
   await until('a fault is named', async () => (await text('#fault')) === '/balls/0/radius: a negative radius');
 }
 
+// Addresses that somebody else made.
+async function checkAddresses(screen) {
+  const address = (balls, more = {}) => '#' + encodeURIComponent(JSON.stringify({dimension: 2, ...more, balls}));
+  const ball = (x, u, radius = 1) => ({position: x, velocity: u, radius});
+  for (const [fragment, fault] of [['#%', 'URI malformed'], ['#null', 'a scene is an object'], ['#{"dimension":3}', '/dimension: this page has']]) {
+    await open(screen, fragment);
+    assert.ok((await text('#verdict')).startsWith(`The address has no scene: ${fault}`), fragment);
+    assert.equal(await browser.evaluate('document.body.dataset.shown'), 'a grazing pair');
+  }
+  const name = '<img src=x onerror=alert(1)>';
+  await open(screen, address([ball([0, 0], [1, 0]), ball([5, 0], [0, 0])], {name, description: name}));
+  await shown(name);
+  assert.equal(await browser.evaluate(`document.querySelectorAll('img').length`), 0, 'names are text');
+  assert.match(await text('#verdict'), /all 4,096 positions/);
+  // As far out as numbers go, one cannot zoom out.
+  await open(screen, address([ball([1e308, 0], [-1e308, 0]), ball([-1e308, 0], [1e308, 0])]));
+  await browser.key('Home');
+  await until('the end of the numbers is told', async () => (await text('#verdict')).startsWith('No farther: '));
+  await browser.key('ArrowRight');
+  await until('and one goes on from there', async () => (await text('#verdict')).startsWith('Doubles decide'));
+  await open(screen, address([ball([0, 0], [1, 0])], {planes: [{point: [5, 0], normal: [1, 0]}]}));
+  assert.match(await text('#verdict'), /^1 event, /);
+}
+
 async function checkDrawing(screen) {
   await open(screen);
   await click('#own summary');
@@ -183,6 +207,7 @@ try {
     await picture(`drawing-${name}`);
   }
   await checkSharing(desk);
+  await checkAddresses(desk);
   if (reader) {
     const {status, stderr} = spawnSync(reader, [join(folder, 'drawn.json'), '--types', 'double'], {encoding: 'utf8'});
     assert.equal(status, 0, `graze-compare reads what was drawn: ${stderr}`);
