@@ -29,22 +29,35 @@ def declared(code):
 
 
 def declarations(text):
-    """(name, kind, comment, declaration) of all that a header declares in graze and not in graze::detail."""
+    """(name, kind, comment, declaration) of all that a header declares in graze and not in graze::detail. What stands in a
+    namespace of graze has its name before its own: batch::classify."""
     if '#pragma once' not in text:
         return
     hidden = 0  # depth of a namespace detail
     depth = 0  # of braces within graze
+    spaces = []  # within graze, an inline one as ''
     comment, code, group = [], [], []
     for line in text.split('\n'):
         bare = re.sub(r'//.*', '', line)
-        if re.match(r'namespace graze::inline \w+ \{', line):
+        opened = re.match(r'namespace graze::inline \w+((?:::\w+)*) \{', line)
+        if opened and 'detail' not in opened[1]:
             depth, hidden = 0, 0
+            spaces = [s for s in opened[1].split('::') if s]
             continue
         if re.match(r'namespace \w*(::\w+)*detail \{|namespace graze::inline \w+::detail \{', line):
             hidden = 1
             continue
         if re.match(r'\} // namespace .*detail$', line):
             hidden = 0
+            continue
+        inner = re.match(r'(inline )?namespace (\w+) \{$', line)
+        if inner and not hidden and depth == 0:
+            spaces.append('' if inner[1] else inner[2])
+            comment = []
+            continue
+        closed = re.match(r'\} // namespace (\w+)$', line)
+        if closed and not hidden and spaces:
+            spaces.pop()
             continue
         if hidden or line.startswith(('#', '}')) and depth == 0 and not code:
             continue
@@ -62,7 +75,8 @@ def declarations(text):
             shown = whole if re.match(r'(template.*\n)?(enum|using|concept)', whole) or len(code) <= 14 else whole.split('{')[0]
             found = declared(whole.split('{')[0] if '=' not in whole.split('{')[0] else whole.split('\n\n')[0])
             if found:
-                yield (*found, comment or group, shown.rstrip())
+                name, kind = found
+                yield '::'.join([*filter(None, spaces), name]), kind, comment or group, shown.rstrip()
             group = comment or group
             comment, code = [], []
 
