@@ -3,11 +3,28 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 #include <thread>
+#include <tuple>
 
 namespace precision {
 
 namespace {
+
+void check_names(const graze::precision::subjects& formulas) {
+    std::map<std::string, const graze::precision::number_type*> types;
+    for (const auto& s : formulas) {
+        const graze::precision::number_type &type = s->type, &other = *types.emplace(type.name, &type).first->second;
+        const auto what_it_is = [](const graze::precision::number_type& t) {
+            return std::tie(t.digits, t.decimal_digits, t.lowest, t.held, t.rounded);
+        };
+        if (what_it_is(type) != what_it_is(other)) {
+            throw std::runtime_error("two number types are called " + type.name +
+                                     ": the name in number_traits tells their figures apart");
+        }
+    }
+}
 
 // The errors of one key until all are known.
 struct collected {
@@ -215,6 +232,7 @@ std::optional<verdict> judge_one(const subject& formula, quantity of, const any_
 }
 
 all_figures measure(const graze::precision::subjects& formulas, const plan& what) {
+    check_names(formulas);
     all_figures all;
     std::atomic<std::size_t> next = 0;
     std::mutex lock;

@@ -36,6 +36,7 @@ struct plan {
     unsigned threads = 1;
 };
 
+// Throws std::runtime_error where two number types have one name, and so their figures.
 [[nodiscard]] all_figures measure(const graze::precision::subjects& formulas, const plan& what);
 
 // One pair (for an order, two), as the type holds it. Nothing where the type holds no such pair or the formula is not

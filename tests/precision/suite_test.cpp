@@ -190,6 +190,17 @@ TEST_CASE("whatever a formula is called, its figures are read as they were writt
     CHECK(graze::precision::word_of("lagrange.stable") == "lagrange.stable");
 }
 
+TEST_CASE("two number types of one name are refused") {
+    graze::precision::subjects list;
+    graze::precision::add<discriminant_of_motion, double>(list);
+    graze::precision::add<odd, double>(list);
+    CHECK_NOTHROW(static_cast<void>(precision::measure(list, {})));
+    graze::precision::add<discriminant_of_motion, float>(list);
+    list.back()->type.name = "double";
+    CHECK_THROWS_WITH_AS(static_cast<void>(precision::measure(list, {})),
+                         doctest::Contains("two number types are called double"), std::runtime_error);
+}
+
 TEST_CASE("what shrinks keeps showing the loss") {
     const any_pair large = pair<2>{{{5.75, -3.3}, {0.1, 7}, 0.3}, graze::plane<2>{{1, 2}, {3, 4}}};
     const any_pair small = precision::shrunk(large, [](const any_pair& p) {
