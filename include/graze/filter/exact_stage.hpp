@@ -18,16 +18,16 @@ struct lifted_inputs {
         const int w = length.width > velocity.width ? length.width : velocity.width;
         return w > normal.width ? w : normal.width;
     }
-    // Where the digits of the integers lie that these become.
+    // Where the digits of the resulting integers lie.
     constexpr void use(workspace& w) noexcept { length.room = velocity.room = normal.room = &w; }
 };
 
-// Widths of the lifted inputs: one limb (a sum of three squares of differences then still has two), and all that
-// doubles can span: from 2^-1074 to 2^1024.
+// Widths of the lifted inputs: one limb (a sum of three squares of differences then still has two), and the whole range
+// of doubles, from 2^-1074 to 2^1024.
 inline constexpr int one_limb_width = 61;
 inline constexpr int full_width = 2098;
 
-// Where big integers of formulas of doubles have their digits: room for all that a formula adds up from inputs of full
+// Where big integers of formulas of doubles have their digits: room for all terms of a formula with inputs of full
 // width.
 using exact_workspace = workspace_of<16384>;
 

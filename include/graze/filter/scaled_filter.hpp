@@ -17,7 +17,7 @@ struct magnitudes {
     double normal = 1;
 };
 
-// Without a branch, which signs would mislead.
+// Without a branch, which random signs would mislead.
 [[nodiscard]] constexpr double magnitude_of(double x) noexcept {
     return !std::is_constant_evaluated() ? std::fabs(x) : x < 0 ? -x : x;
 }
@@ -37,8 +37,8 @@ template <class T>
 inline constexpr double smallest_scale = std::is_same_v<T, float> ? 0x1p-30 : 0x1p-50;
 
 // Whether the magnitudes are in the filter's range. In that range no formula of degree up to 12 in lengths, 4 in
-// velocities and 10 in normals over- or underflows. Products of scales stay within 2^±800. What is flushed to zero,
-// each time below 2^-1022, is less than 2^-150 of them, and the slack of the constants (2^-92 of them) covers it. A
+// velocities and 10 in normals over- or underflows. Products of scales stay within 2^±800. A loss by flushing to zero
+// is below 2^-1022, less than 2^-150 of them, and the slack of the constants (2^-92 of them) covers all losses. A
 // subnormal float may be flushed when it is converted to double, so the range of floats starts higher. A NaN or an
 // infinity among the inputs is out of range too.
 template <class T>
@@ -49,7 +49,7 @@ template <class T>
            static_cast<unsigned>(within_powers<low, 50>(s.normal));
 }
 
-// For what velocities have no part in: those that are zero, or read as that, are as good as any.
+// For questions in which velocities don't matter: they may be zero, or read as zero.
 constexpr void forget_rest_in(magnitudes& s) noexcept {
     s.velocity = std::bit_cast<std::uint64_t>(s.velocity) == 0 ? 1 : s.velocity;
 }

@@ -1,4 +1,4 @@
-// A batch, block by block: in lanes first, then one by one what they leave open.
+// A batch, block by block: in lanes first, then one by one the pairs that these leave open.
 #pragma once
 
 #include <graze/machine/failure.hpp>
@@ -20,7 +20,7 @@ concept batch_of = requires {
     typename source_for<B>;
 };
 
-// f(); what it throws of bad input is thrown with the index of the pair.
+// f(); an exception about bad input is thrown with the index of the pair.
 template <class Mode, class F>
 void of_pair(std::size_t i, const F& f) {
 #if defined(__cpp_exceptions)
@@ -46,8 +46,8 @@ void require_size(const A& a, const B& b, std::size_t answers) {
     }
 }
 
-// The pairs of one block from `from` on, as many as whole registers hold; the rest are left open. Not inlined: what is
-// in memory is what is meant, whatever expression it came from.
+// The pairs of one block from `from` on, as many as whole registers hold; the rest are left open. Not inlined: it has
+// to read the numbers as memory holds them, whatever expression they came from.
 template <class Question, class V, class A, class B>
 [[gnu::noinline]] void ask_lanes(const A& a, const B& b, std::size_t from, std::size_t count,
                                  typename Question::answer* answers, open_pairs& left) noexcept {
@@ -74,7 +74,7 @@ template <int Bytes, class Question, class A, class B>
 void ask_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t count, typename Question::answer* answers,
                         open_pairs& left) noexcept;
 
-// Whether lanes of V can be asked.
+// Whether lanes of V can answer.
 template <class Question, class V, class A, class B>
 inline constexpr bool has_lanes_of = [] {
     using X = ball<A::dimension, V>;
@@ -93,7 +93,7 @@ inline constexpr bool has_lanes = [] {
     }
 }();
 
-// In the widest registers that there are. Wider is part of the name of what depends on it.
+// In the widest registers that there are. `Wider` is part of the name of all code that depends on it.
 template <int Wider, class Question, class A, class B>
 void ask_widest_lanes(const A& a, const B& b, std::size_t from, std::size_t count, typename Question::answer* answers,
                       open_pairs& left) noexcept {

@@ -68,7 +68,7 @@ struct array_source {
     }
 
   private:
-    // Of the balls that f(k) points to.
+    // For the balls that f(k) points to.
     template <class V, class F>
     [[nodiscard, gnu::always_inline]] ball<N, V> transposed_balls(const F& f) const noexcept {
         constexpr int numbers_a_ball = 2 * N + 2; // the mass comes with the radius
@@ -82,7 +82,7 @@ struct array_source {
     }
 };
 
-// One thing against all.
+// One thing beside all balls.
 template <class S>
 struct single_source {
     const S* one;
@@ -104,7 +104,7 @@ struct single_source<ball<N, T>> {
     }
 };
 
-// A user's balls, in a row, and one thing of a user's type. What is not graze's own is never asked of graze::compiled.
+// A user's balls, in a row, and one thing of a user's type. graze::compiled never sees types that are not graze's own.
 template <ball_like B>
 struct foreign_source {
     using shape = decltype(shape_of(std::declval<const B&>()));
@@ -155,7 +155,7 @@ inline constexpr bool is_foreign = false;
 template <class A>
 requires(A::is_foreign) inline constexpr bool is_foreign<A> = true;
 
-// What a caller gives, as a source.
+// A caller's argument, as a source.
 template <int N, class T>
 [[nodiscard]] constexpr column_source<N, T> source_of(const columns<N, T>& x) noexcept {
     return {x};

@@ -1,4 +1,4 @@
-// A double that knows how far it can be from the number it stands for.
+// A double with a bound on its distance from the number that it stands for.
 #pragma once
 
 #include <graze/filter/scaled_filter.hpp>
@@ -7,10 +7,10 @@
 
 namespace graze::inline v0_1::detail {
 
-// |exact - value| <= error but for the roundings of the error and for underflow, for which certain_sign has room: an
-// operation rounds its error at most five times, by less than 2^-51 in all, so that of fewer than 2^8 operations in a
-// row 2^-42 of it is missing. Where doubles round by a part u = 2^-Bits at most: 53 to nearest, 52 in any direction.
-// Contracted or not; sums are settled, since a bound holds for the order of its own sums.
+// |exact - value| <= error, but for the roundings of the error and for underflow, for which certain_sign has room: an
+// operation rounds its error at most five times, by less than 2^-51 in all, so fewer than 2^8 operations in a row miss
+// at most 2^-42 of it. A rounding is at most a part u = 2^-Bits: Bits is 53 to nearest, 52 in any direction. Contracted
+// or not; sums are settled, since a bound holds for the order of its own sums.
 template <int Bits>
 class bounded_double {
   public:
@@ -28,7 +28,7 @@ class bounded_double {
         return value_ > bound ? 1 : value_ < -bound ? -1 : 0;
     }
 
-    // x - y of numbers without an error, to nearest; without one itself if it is a double.
+    // x - y of numbers without an error, to nearest; it has no error either if it is a double.
     [[nodiscard, gnu::always_inline]] static constexpr bounded_double
     exact_difference(const bounded_double& x, const bounded_double& y) noexcept {
         const auto d = two_difference(x.value_, y.value_);
@@ -68,7 +68,7 @@ struct graze::number_traits<graze::detail::bounded_double<Bits>> {
     static constexpr const char* name = "bounded_double";
     static constexpr bool is_exact = false;
     static constexpr int digits = Bits;
-    // Of a number without an error.
+    // For a number without an error.
     static constexpr int sign(const detail::bounded_double<Bits>& x) noexcept {
         return (x.value() > 0) - (x.value() < 0);
     }

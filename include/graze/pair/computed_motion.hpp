@@ -13,7 +13,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// x as a double, with a relative error of at most 2u for a 64-bit integer and its differences, exact for the other
+// x as a double: with a relative error of at most 2u for a 64-bit integer and its differences, exactly for all other
 // inputs.
 template <int B>
 [[nodiscard]] constexpr double to_double(const integer<B>& x) noexcept {
@@ -58,7 +58,7 @@ template <int N, class T>
 }
 
 // The same motions for error_bound, each vector against the scale that bounds its norm. Inputs of double and narrower
-// types are exact and their differences rounded once; what comes from 64-bit integers is rounded at most twice.
+// types are exact and their differences rounded once; numbers from 64-bit integers are rounded at most twice.
 template <class T>
 [[nodiscard]] consteval error_bound bounded_input(error_bound::degrees d, int roundings) {
     const int count = is_wide_integer<T> ? 2 : roundings;

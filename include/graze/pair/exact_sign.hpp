@@ -1,4 +1,4 @@
-// The sign of any formula of an exact motion; where the motion's integers are wide, of an estimate if that is certain.
+// The sign of any formula of an exact motion; where its integers are wide, an estimate's sign if that is certain.
 #pragma once
 
 #include <graze/exact/estimate.hpp>
@@ -9,8 +9,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether a motion's numbers are so long that a formula in estimates is cheap beside the formula itself. What has its
-// width in its type is short.
+// Whether a motion's numbers are so long that a formula in estimates is cheap beside the formula itself. Integers whose
+// width is in their type are short.
 template <int N>
 [[nodiscard]] constexpr bool is_long(const vec<N, big_integer>& x) noexcept {
     constexpr int few = 3;
@@ -38,8 +38,8 @@ template <int N, class X, class U, class E, class S>
     return plane_motion{estimated(m.w), estimated(m.u), estimated(m.n), estimate_of(m.r)};
 }
 
-// The exact sign of f(m). instead(e), e the motion in estimates, is the same number, perhaps in a form that cancels
-// less.
+// The exact sign of f(m). instead(e), with e the motion in estimates, is the same number, perhaps in a form that
+// cancels less.
 template <class M, class F, class G>
 [[nodiscard]] constexpr int exact_sign(const M& m, F f, G instead) {
     if constexpr (requires { is_long(m); }) {

@@ -1,4 +1,4 @@
-// What doubles can be off by in the numbers that decide what becomes of a ball and a flat thing.
+// Bounds on the errors of doubles in the numbers that decide the encounter of a ball and a flat thing.
 #pragma once
 
 #include <graze/analysis/error_bound.hpp>
@@ -7,11 +7,11 @@
 
 namespace graze::inline v0_1::detail {
 
-// A flat motion's numbers for error_bound. The scale of lengths bounds |w| + r + Σ|e_i|, that of the third kind each
-// |e_i|, and |e₁ - e₀| of a triangle: what is of a lower degree in w may be taken as one of a higher.
+// A flat motion's numbers for error_bound. The scale of lengths bounds |w| + r + Σ|e_i|, the third scale each |e_i|,
+// and |e₁ - e₀| of a triangle: a number of a lower degree in w may be taken as one of a higher.
 template <int N, class T>
 struct flat_bounds {
-    static constexpr int roundings = is_wide_integer<T> ? 8 : 3; // of w, from up to two edges further
+    static constexpr int roundings = is_wide_integer<T> ? 8 : 3; // of w, which up to two edges may shift
     [[nodiscard]] static consteval error_bound edge() { return {1, bounded_input<T>({0, 0, 1}, 1).error, {0, 0, 1}}; }
     [[nodiscard]] static consteval flat_motion<N, error_bound> motion() {
         flat_motion<N, error_bound> m{bounded_vector<N>(detail::rounded(1, 0, 1, roundings, {1, 0, 0})),
@@ -79,7 +79,7 @@ struct flat_bounds {
     }
 };
 
-// Which of these numbers a formula takes.
+// The numbers that a formula takes.
 template <class B, int N>
 [[nodiscard]] consteval auto bounds_like(const flat_way<N, double>*) {
     return B::way();

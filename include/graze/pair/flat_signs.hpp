@@ -12,7 +12,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Formulas whose terms are squares of what cancels by itself: their values tell more than the scales do.
+// Formulas whose terms are squares of differences that cancel: their values give closer bounds than the scales.
 template <class F>
 inline constexpr bool gains_by_values = false;
 template <>
@@ -63,7 +63,7 @@ with_bounds(const flat_edge<N, double>& x, const magnitudes& s) noexcept {
     return r;
 }
 
-// Of doubles that come from inputs of type T: by the scales and, where that leaves a sign open, by values.
+// For doubles that come from inputs of type T: by the scales and, where these leave a sign open, by values.
 template <int N, class T>
 struct filtered_judge {
     static constexpr bool has_roots = true;
@@ -76,7 +76,7 @@ struct filtered_judge {
     [[nodiscard]] constexpr double root_error() const noexcept {
         return error(touch_length{}, flat_touch<N, double>{});
     }
-    // Not where the compiler has put a worse estimate in the place of the root.
+    // Not if the compiler has replaced the root by a worse estimate.
     [[nodiscard]] constexpr bool root(double x, double& y) const noexcept {
         y = number_traits<double>::sqrt(x);
         return magnitude_of(y * y - x) <= 0x1p-50 * x;
@@ -97,7 +97,7 @@ struct filtered_judge {
     [[nodiscard, gnu::always_inline]] constexpr int operator()(F f, const X& x) const noexcept {
         const int sign = filtered_sign<bounds<X>>(f, x, scales);
         if constexpr (gains_by_values<F>) {
-            if (sign == open && !std::is_constant_evaluated()) [[unlikely]] { // constants have integers next
+            if (sign == open && !std::is_constant_evaluated()) [[unlikely]] { // constants go on in integers
                 return by_values(f, x);
             }
         }
@@ -105,7 +105,7 @@ struct filtered_judge {
     }
 
   private:
-    // What is flushed to zero is below 2^-150 of the product of the scales (usable): 2^-100 of it is room for all.
+    // Losses by flushing to zero are below 2^-150 of the product of the scales (usable): 2^-100 of it is enough.
     template <class F>
     [[nodiscard, gnu::noinline]] int by_values(F f, const flat_edge<N, double>& x) const noexcept {
         const bounded_double<52> y = f(with_bounds<flat_bounds<N, T>>(x, scales));

@@ -12,12 +12,12 @@
 
 namespace graze::inline v0_1::detail {
 
-// what: its feature means nothing. clearance: overlap of things that are inside each other now, else miss.
+// what: the answer's feature means nothing. clearance: overlap if the two are inside each other now, else miss.
 enum class flat_question : std::uint8_t { what, feature, clearance };
 
 struct no_guess {};
 
-// guess(): what the answer probably is, if anything is known of it.
+// guess(): the probable answer, if there is one.
 template <int N, class T, class Judge, class Guess = no_guess>
 [[nodiscard, gnu::always_inline]] constexpr inline flat_answer answer_of(const flat_motion<N, T>& m, const Judge& judge,
                                                                          flat_question question, Guess guess = {}) {
@@ -108,8 +108,8 @@ template <int N, class I, class Inputs>
             is_triangle};
 }
 
-// Numbers of a row, times 2^power: the largest one is then in [1, 2). Exact where that of the smallest is not below
-// 2^-900; no other group is `plain`.
+// Numbers of a row, times 2^power: the largest one is then in [1, 2). `plain`, and exact, if the smallest is then not
+// below 2^-900.
 template <class T>
 struct scaled_group {
     const T* first;
@@ -179,7 +179,7 @@ has_parallel_edges(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<
     return sign(graze::squared_norm(n)) == 0;
 }
 
-// The answer for a row of checked numbers, in which edges may be parallel: found is then not certain.
+// The answer for a row of checked numbers. If edges are parallel it is not certain.
 template <int N, class T, class Row>
 [[nodiscard, gnu::noinline]] constexpr flat_answer refine_flat(const Row& row, bool is_triangle, bool rests,
                                                                flat_question question, stage& by) {
@@ -208,7 +208,7 @@ template <int N, class T, class Row>
     return has_parallel_edges<N>(in) ? flat_answer{} : answer_by_integers<N>(in, is_triangle, question);
 }
 
-// Whether all numbers of a row are below 2^48, so that doubles of them don't overflow, not even in a constant
+// Whether all numbers of a row are below 2^48, so that formulas in doubles don't overflow, not even in a constant
 // expression.
 template <class Row>
 [[nodiscard]] constexpr bool is_moderate_row(const Row& row) noexcept {

@@ -10,12 +10,12 @@
 
 namespace graze::inline v0_1::detail {
 
-// Of a pair of flights: lengths have up to 1024 + 1074 + 2045 bits where two pairs are compared, units of time going
-// down to 2^(-1074 - 971), of one's lengths over the other's velocities or by themselves; lengths over that times
-// 2^-1074, times over it and velocities as they are.
+// Room for a pair of flights. Where two pairs are compared, lengths have up to 1024 + 1074 + 2045 bits: units of time
+// go down to 2^(-1074 - 971), from one's lengths over the other's velocities or by themselves. Lengths are over that
+// unit times 2^-1074, times over that unit, velocities as they are.
 using timed_workspace = workspace_of<24576>;
 
-// A pair of kind P, lifted, with the `since` of each of its two things, which a plane and a wall have from the flight.
+// A pair of kind P, lifted, with the `since` of each of its two things. A plane or a wall has that of the flight.
 template <class P>
 struct timed_inputs {
     lifted_inputs<P::lengths, P::velocities, P::normals> pair;
@@ -55,7 +55,7 @@ template <class P, class Row, class T>
     return r;
 }
 
-// A flight in integers, its lengths, velocities and times of their own widths.
+// A flight in integers; lengths, velocities and times each have a width of their own.
 template <int N, class X, class U>
 struct exact_ball {
     vec<N, X> position;
@@ -76,7 +76,7 @@ struct exact_flights {
 
     [[nodiscard]] constexpr auto motion() const { return relative_motion_of_flights(a, b); }
     [[nodiscard]] constexpr S start() const { return graze::sign(b.since - a.since) > 0 ? b.since : a.since; }
-    // Where one of them is then.
+    // The position of one of them at t0.
     [[nodiscard]] constexpr auto position(const exact_flight<N, X, U, S>& x) const {
         return position_at(x.state.position, x.state.velocity, start() - x.since);
     }
@@ -85,7 +85,7 @@ struct exact_flights {
 template <int N>
 using big_flights = exact_flights<N, big_integer, big_integer, big_integer>;
 
-// Two settled flights.
+// Two lifted flights.
 template <int N>
 [[nodiscard]] constexpr big_flights<N> flights_in(const timed_inputs<two_balls<N>>& in) noexcept {
     constexpr std::size_t n = N;
@@ -101,7 +101,7 @@ template <int N>
     return {one(0), one(1)};
 }
 
-// f(flights) with two settled flights.
+// f(flights) with two lifted flights.
 template <int N, class F>
 [[nodiscard]] constexpr auto with_exact_flights(timed_inputs<two_balls<N>> in, F f) {
     timed_workspace room;

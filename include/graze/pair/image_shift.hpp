@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1 {
 
-// Where the image of something is: so many whole periods from the thing itself, along each axis.
+// Where an image is: this many whole periods from the thing itself, along each axis.
 template <int N, class T>
 struct image_shift {
     std::array<std::int32_t, 3> periods;

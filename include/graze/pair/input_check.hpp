@@ -14,7 +14,7 @@
 
 namespace graze::inline v0_1 {
 
-// What is wrong with an input: of which argument ("ball a"), of which of its fields ("radius"), and what ("radius is
+// What is wrong with an input: in which argument ("ball a"), in which field of it ("radius"), and what ("radius is
 // negative"). All three are literals.
 struct input_error {
     const char* argument = nullptr;
@@ -34,8 +34,8 @@ namespace graze::inline v0_1::detail {
     fail<std::domain_error>(std::string(argument) + ": " + what);
 }
 
-// What is done with what is wrong: it is rejected, where the compiler shows these arguments of a constant expression;
-// or the first is kept.
+// What to do with a fault: reject it (in a constant expression the compiler then shows these arguments), or keep the
+// first one.
 struct rejecting {
     const char* argument;
 
@@ -56,7 +56,7 @@ struct keeping_first {
     }
 };
 
-// Whether neither radius has its sign set, by their bits; -0 says no and is then looked at more closely.
+// Whether neither radius has its sign set, by their bits; false for -0, which is then examined more closely.
 [[nodiscard]] constexpr bool plain_radii(const double& r, const double& s) noexcept {
     return static_cast<std::int64_t>(bits_of(r) | bits_of(s)) >= 0;
 }
@@ -100,7 +100,7 @@ template <int N, class T>
     return true;
 }
 
-// Tells what is wrong with a shape's values, in the order of its fields.
+// Tells the faults of a shape's values, in the order of its fields.
 template <int N, class T, class Tell>
 constexpr void inspect(const ball<N, T>& b, Tell tell) {
     if (!is_finite(b.position)) {
@@ -135,7 +135,7 @@ constexpr void inspect(const plane<N, T>& p, Tell tell) {
         tell("normal", "normal is zero");
     }
 }
-// Of a wall or a triangle, all but whether edges are parallel, which is a formula's sign.
+// For a wall or a triangle, all but parallel edges, which a formula's sign decides.
 template <class Edged, class Tell>
 requires requires(const Edged& x) { x.edge; }
 constexpr void inspect(const Edged& x, Tell tell) {
@@ -161,7 +161,7 @@ constexpr void check(const Shape& x, const char* argument) {
     inspect(x, rejecting{argument});
 }
 
-// How messages name two movers, and what stands beside one.
+// How messages name two movers, and a plane, wall or triangle.
 template <moving B>
 inline constexpr const char* name_of_a = is_flight<B> ? "flight a" : "ball a";
 template <moving B>

@@ -22,7 +22,7 @@ template <class V, int N, class T>
     return {filled<V>(b.position), filled<V>(b.velocity), V(b.radius)};
 }
 
-// What lanes of V are asked about beside balls, the same in every lane: a plane, and in doubles a wall or a triangle.
+// The other thing of the pairs in lanes of V, the same in every lane: a plane, and in doubles a wall or a triangle.
 template <class V, int N, class T>
 [[nodiscard, gnu::always_inline]] inline plane<N, V> in_lanes(const plane<N, T>& p) noexcept {
     return {filled<V>(p.point), filled<V>(p.normal)};

@@ -46,7 +46,7 @@ template <int N, class T>
     return f.state;
 }
 
-// As a flight. Code that is asked seldom and is large stands once, for flights.
+// As a flight. Code that is large and seldom runs exists once, for flights.
 template <int N, class T>
 [[nodiscard]] constexpr flight<N, T> as_flight(const ball<N, T>& b) noexcept {
     return {b, T(0)};

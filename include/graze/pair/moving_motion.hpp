@@ -10,8 +10,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// use(motion, length2, in_range). length2: |Δx|² + R²; of flights |x_a - x_b|² + |u lead|² + R². in_range: whether
-// epochs let a filter ask. What is returned as one object would go through memory.
+// use(motion, length2, in_range). length2: |Δx|² + R²; for flights |x_a - x_b|² + |u lead|² + R². in_range: whether
+// epochs allow a filter. Returned as one object, these would go through memory.
 template <int N, class T, class F>
 [[nodiscard, gnu::always_inline]] inline auto with_motion_at_start(const ball<N, T>& a, const ball<N, T>& b,
                                                                    F use) noexcept {
@@ -19,10 +19,10 @@ template <int N, class T, class F>
     return use(m, graze::squared_norm(m.dx) + m.R * m.R, true);
 }
 
-// The range, beside that of two balls. A lead of magnitude in [2^-500, 2^500), for floats in [2^-30, 2^30), or of two
-// instants whose bits are the same is the difference of numbers of which a mode that reads subnormals as zero takes at
-// most 2^-96 of it; and what it takes off u, 2^-126 for floats, is less than 2^-92 of the scale once it is multiplied
-// with a lead below 2^34 times that.
+// The range, beside that of two balls: a lead of magnitude in [2^-500, 2^500), for floats in [2^-30, 2^30), or of two
+// instants with the same bits. A mode that reads subnormals as zero then changes the lead by at most 2^-96 of it. Its
+// change of u, 2^-126 for floats, is less than 2^-92 of the scale once it is multiplied with a lead below 2^34 times
+// that.
 template <int N, class T, class F>
 [[nodiscard, gnu::always_inline]] inline auto with_motion_at_start(const flight<N, T>& a, const flight<N, T>& b,
                                                                    F use) noexcept {

@@ -1,4 +1,4 @@
-// Which pairs of a block are left open by the lanes, to be settled one by one.
+// The pairs of a block that the lanes leave open, to be decided one by one.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@ inline constexpr std::size_t block_size = 256;
 struct open_pairs {
     std::array<std::uint64_t, block_size / 64> word{};
 
-    // Of the pairs from i on: those whose bits are set. They lie in one word.
+    // Adds the pairs from i on whose bits are set. They lie in one word.
     [[gnu::always_inline]] void add(std::size_t i, unsigned bits) noexcept {
         word[i / 64] |= static_cast<std::uint64_t>(bits) << (i % 64);
     }
-    // All from i to count - 1.
+    // Adds all from i to count - 1.
     void add_rest(std::size_t i, std::size_t count) noexcept {
         for (; i < count; ++i) {
             add(i, 1);

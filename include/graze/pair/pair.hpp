@@ -1,5 +1,5 @@
-// A pair as a row of numbers, lengths first, then velocities, then normals: what is lifted and what an impact_time
-// keeps.
+// A pair as a row of numbers, lengths first, then velocities, then normals: lift takes it and an impact_time keeps
+// it.
 #pragma once
 
 #include <graze/filter/exact_stage.hpp>
@@ -14,7 +14,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Two numbers at a time and without a loop: they are soon read as pairs, which is faster if they were written as pairs.
+// Two numbers at a time and without a loop: they are soon read as pairs, which is faster if they are written as pairs.
 template <int N, class T>
 [[gnu::always_inline]] constexpr inline void copy_vector(T* row, const vec<N, T>& x) noexcept {
     if (std::is_constant_evaluated()) {
@@ -24,8 +24,8 @@ template <int N, class T>
     }
 }
 
-// Each pair kind has: the numbers of lengths, velocities and normals, and of epochs if what moves is a flight; pack,
-// which writes the row; and motion, which makes of lifted inputs the relative motion that the formulas take.
+// Each pair kind has: how many lengths, velocities and normals it has, and epochs if its movers are flights; pack,
+// which writes the row; and motion, which turns lifted inputs into the relative motion that the formulas take.
 template <int N>
 struct two_balls {
     static constexpr std::size_t n = N;
@@ -133,7 +133,7 @@ struct ball_and_wall {
     }
 };
 
-// The pair kind of a ball and what stands. A triangle is the half of a wall.
+// The pair kind of a ball and a plane, wall or triangle. A triangle is the half of a wall.
 template <class Shape>
 struct kind_of_pair_with;
 template <int N, class T>
@@ -166,7 +166,7 @@ inline constexpr bool is_triangle = false;
 template <class T>
 inline constexpr bool is_triangle<triangle<T>> = true;
 
-// A triangle as the wall of which it is the half: its features are that one's but for the slanted edge.
+// A triangle as the wall of which it is the half: its features are the wall's, except for the slanted edge.
 template <class Shape>
 [[nodiscard]] constexpr const Shape& as_wall(const Shape& s) noexcept {
     return s;

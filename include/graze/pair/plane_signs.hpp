@@ -13,7 +13,7 @@ magnitudes_of(const plane_motion<N, double, double, double, double>& m) noexcept
     return {sum_of_magnitudes(m.w) + m.r, sum_of_magnitudes(m.u), sum_of_magnitudes(m.n)};
 }
 
-// In doubles: the height and speed of a motion, times |n|, and what is certain of them.
+// In doubles: the height and speed of a motion, times |n|, and what they decide for certain.
 template <int N, class T>
 struct filtered_plane {
     using bounds = plane_bounds<N, T>;
@@ -30,8 +30,8 @@ struct filtered_plane {
     double size, both;            // of the height, and of height·speed
     unsigned in_range;
 
-    // In range no scale is below the least of usable() and both is moderate: then the others' products with n are
-    // below 2^500, and what is lost to underflow is nothing beside them. A NaN or an infinity makes `both` one.
+    // In range no scale is below the least of usable() and `both` is moderate: the others' products with n are then
+    // below 2^500, and losses by underflow are negligible beside them. A NaN or an infinity makes `both` one.
     [[gnu::always_inline]] constexpr filtered_plane(const ball<N, T>& b, const plane<N, T>& p) noexcept
         : motion(computed_motion(b, p)), scales(magnitudes_of(motion)), height(plane_height{}(motion)),
           speed(plane_speed{}(motion)), square(graze::squared_norm(motion.n)), size(scales.length * scales.normal),
@@ -49,8 +49,8 @@ struct filtered_plane {
         bool certain;
         encounter what;
     };
-    // Neither height nor speed is larger than its scales, so that their product says that both are certain. Looked up,
-    // since which one it is cannot be predicted.
+    // Neither height nor speed is larger than its scales, so their product says that both are certain. The answer is
+    // looked up, since no branch could predict it.
     [[nodiscard, gnu::always_inline]] constexpr answer what() const noexcept {
         constexpr double k = std::max(height_error, speed_error) * (1 + 0x1p-20);
         const double departs = height * speed;
@@ -64,7 +64,7 @@ struct filtered_plane {
         const unsigned index = parting * 8 + (clear < 0 ? 4 : 0);
         return {(in_range & (parting | (nearing & known))) != 0, static_cast<encounter>(answers >> index & 7)};
     }
-    // Whether it is negative; velocities have no part in it, but those that are zero, or read as that, make `both` so.
+    // Whether the clearance is negative. Velocities don't matter; but if they are zero, or read as zero, so is `both`.
     [[nodiscard]] constexpr answer overlap(const ball<N, T>& b) const noexcept {
         const double clear = clearance();
         const unsigned good = static_cast<unsigned>(usable<T>({scales.length, 1, scales.normal})) &

@@ -14,8 +14,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Lengths are 2^length and velocities 2^velocity times what they are in these movers. safe: whether a mode that reads
-// or writes subnormals as zeros takes less than 2^-110 of the largest length and velocity.
+// The real lengths are 2^length and the real velocities 2^velocity times those of these movers. safe: whether a mode
+// that reads or writes subnormals as zeros takes less than 2^-110 of the largest length and velocity.
 template <class B>
 struct scaled_movers {
     B a, b;
@@ -45,13 +45,13 @@ template <int N>
     return std::clamp(1023 - static_cast<int>(bits_of(largest) >> 52), -1022, 1023);
 }
 
-// The relative motion of two balls alone, so scaled that its largest length and velocity are within [2^-52, 2): not
-// known when one is infinite.
+// The relative motion of two balls alone, scaled so that its largest length and velocity are within [2^-52, 2). Not
+// known if one is infinite.
 template <int N>
 struct scaled_motion {
     relative_motion<N, double, double, double> motion;
-    double by_length, by_velocity; // what they are multiplied with
-    int length, velocity;          // as scaled_movers
+    double by_length, by_velocity; // the factors
+    int length, velocity;          // as in scaled_movers
     bool known, safe;
 
     [[gnu::always_inline]] scaled_motion(const ball<N, double>& a, const ball<N, double>& b) noexcept
@@ -75,8 +75,8 @@ struct scaled_motion {
     }
 };
 
-// By one power of two for all lengths and one for all velocities, chosen from the largest, which gives instants theirs;
-// of the others what is below 2^-1074 of that is lost. Not known when one is infinite.
+// One power of two multiplies all lengths and one all velocities, chosen from the largest; their quotient multiplies
+// instants. Parts below 2^-1074 of the largest are lost. Not known if one is infinite.
 template <class B>
 [[nodiscard, gnu::always_inline]] inline scaled_movers<B> scaled(const B& a, const B& b) noexcept {
     scaled_movers<B> r;

@@ -60,7 +60,7 @@ template <int N, class V>
     return relative_motion{size_of(m.dx), size_of(m.du), size_of(m.R)};
 }
 
-// A computed value and what it can be off by.
+// A computed value and a bound on its error.
 template <class V>
 struct bounded_value {
     V value;
@@ -69,7 +69,7 @@ struct bounded_value {
     [[nodiscard]] constexpr int sign() const noexcept { return certain_sign(leading_double(value), error); }
 };
 
-// What Δx × Δu, component by component, and D from it can be off by, beside the sizes of their terms.
+// Bounds on the errors of Δx × Δu, component by component, and of D from it, relative to the sizes of their terms.
 template <class Arithmetic, class Motion, int N>
 class lagrange_bounds {
     using count = typename Arithmetic::count;
@@ -96,10 +96,10 @@ class lagrange_bounds {
     static constexpr double of_rest = constants().of_rest;
 };
 
-// Formulas of a motion in numbers V; Motion::value<N, Arithmetic>() is the same motion in the analysis. What
-// underflows, or is flushed to zero, in lengths L, velocities V and a lead is a few times 2^-1022 (L + V + L V) after
-// one product, or 2^-922 with a lead below 2^100; once more multiplied it is below 2^-900 (1 + L²)(1 + V²). The range
-// holds all floats.
+// Formulas of a motion in numbers V; Motion::value<N, Arithmetic>() is the same motion in the analysis. Losses by
+// underflow, or by flushing to zero, in lengths L, velocities V and a lead are a few times 2^-1022 (L + V + L V) after
+// one product, or 2^-922 with a lead below 2^100; multiplied once more they are below 2^-900 (1 + L²)(1 + V²). The
+// range holds all floats.
 template <class Arithmetic, class Motion, int N, class V>
 struct sized_motion {
     const relative_motion<N, V, V, V>& motion;
@@ -109,7 +109,7 @@ struct sized_motion {
 
     bool has_range;
 
-    // s: of what the motion's numbers were added up from. epochs: whether those are in range.
+    // s: the sizes of the terms of the motion's numbers. epochs: whether epochs are in range.
     [[gnu::always_inline]] constexpr sized_motion(const relative_motion<N, V, V, V>& m,
                                                   const relative_motion<N, term_size, term_size, term_size>& s,
                                                   bool epochs) noexcept
@@ -149,8 +149,8 @@ struct sized_motion {
     }
 };
 
-// The encounter, or `undecided`, from a sized motion, and what is known of the numbers on which it rests; of those
-// that come later in this order nothing, if one is open.
+// The encounter, or `undecided`, from a sized motion, and the numbers on which it rests, in this order. If one is open,
+// the later ones are not computed.
 inline constexpr int undecided = -1;
 template <class V>
 struct bounded_encounter {

@@ -1,4 +1,4 @@
-// Two flights in place of a flight and another one's image, in a space of periods.
+// Two flights in place of a flight and another one's image, in a space with periods.
 #pragma once
 
 #include <graze/exact/dyadic.hpp>
@@ -15,7 +15,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// x - y - count length as a sum of two doubles, by error-free steps; empty where these don't do.
+// x - y - count length as a sum of two doubles, by error-free steps; empty where these don't suffice.
 [[nodiscard]] inline std::optional<std::array<double, 2>> quick_difference(double x, double y, std::int32_t count,
                                                                            double length) noexcept {
     if constexpr (has_error_free_doubles) {
@@ -52,7 +52,7 @@ template <class T>
     return rest == dyadic(low) ? std::optional(std::array{high, low}) : std::nullopt;
 }
 
-// Two flights that are at all times exactly as far from each other as a flight from another one's image, so many
+// Two flights that are at all times exactly as far from each other as a flight and an image of another one, some
 // periods away: they meet when and how those do, but elsewhere. Throws std::range_error where no two T have this
 // distance, since a coordinate is tiny beside the period.
 template <int N, class T>
