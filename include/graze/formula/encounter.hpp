@@ -1,4 +1,4 @@
-// What two moving things do: the five encounters, and the rule that derives them from three signs.
+// The five encounters of a pair, and the rule that derives them from three signs.
 #pragma once
 
 #include <graze/number/traits.hpp>

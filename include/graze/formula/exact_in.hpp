@@ -1,4 +1,4 @@
-// Which number type a scene needs, at compile time.
+// Whether a number type is exact for a scene on a grid, at compile time.
 #pragma once
 
 #include <graze/analysis/bit_width.hpp>

@@ -1,15 +1,15 @@
 // A ball and the line of a flat shape's border, or its corner, in inner products.
 //
-// The way of the centre passes the line of an edge d at |d·(w × u)|/|d × u|, where d·(w × u) is a sum of what flat_way
-// has.
+// The way of the centre passes the line of an edge d at |d·(w × u)|/|d × u|, where d·(w × u) is a sum of numbers of
+// flat_way.
 #pragma once
 
 #include <graze/formula/flat_way.hpp>
 
 namespace graze::inline v0_1 {
 
-// A ball and the line of a border, which has the direction d, seen from the border's start; of a corner d leads inwards
-// along a border. inside: O, inward: I, speed: u·n.
+// A ball and the line of a border, which has the direction d, seen from the border's start; for a corner d leads
+// inwards along a border. inside: O, inward: I, speed: u·n.
 template <int N, class T>
 struct flat_edge {
     T ww, wd, wu, dd, ud, uu, r;

@@ -1,9 +1,9 @@
 // The encounter of a ball with a flat, convex shape, and the feature that it meets: one procedure for every number
-// type. It asks first what decides most pairs.
+// type. It tries first the signs that decide most pairs.
 //
-// A ball that is not over the thing now meets it exactly if its centre's line passes it at less than r. Where the line
-// crosses the plane leaves one feature that is nearest to it: the face, an edge or a corner. That feature's h tells
-// whether the ball comes closer at all, and its D whether it meets the thing.
+// A ball that is not over the shape now meets it exactly if its centre's line passes it at less than r. The place where
+// the line crosses the plane determines the one feature that is nearest to it: the face, an edge or a corner. That
+// feature's h tells whether the ball comes closer at all, and its D whether it meets the shape.
 #pragma once
 
 #include <graze/formula/flat_entry.hpp>
@@ -103,7 +103,7 @@ class flat_decision : public flat_entry<N, T, Judge> {
     using sight::way_;
     using flat_entry<N, T, Judge>::entry;
 
-    // Of a ball that comes closer than r and is in the slab, or may be.
+    // For a ball that comes closer than r and is in the slab, or may be.
     [[nodiscard, gnu::noinline]] constexpr flat_answer from_clearance() const {
         const located now = nearest_now();
         const int c = clearance_of(now);
@@ -111,7 +111,7 @@ class flat_decision : public flat_entry<N, T, Judge> {
                : c < 0        ? flat_answer{true, encounter::overlap, now.where, now.index}
                               : flat_answer{true, encounter::hit, none};
     }
-    // Of a ball that moves parallel to the plane: its line has no one nearest feature.
+    // For a ball that moves parallel to the plane: its line has no single nearest feature.
     [[nodiscard, gnu::noinline]] constexpr flat_answer from_place() const {
         const located now = nearest_now();
         if (now.where == none) {

@@ -13,7 +13,7 @@ class flat_entry : public flat_sight<N, T, Judge> {
   public:
     using flat_sight<N, T, Judge>::flat_sight;
 
-    // The first of the features, in the order of ties, that is; a miss if none is.
+    // The feature that is touched first, in the order of ties; a miss if none is.
     [[nodiscard, gnu::noinline]] constexpr flat_answer entry() const {
         bool doubt = false;
         bool grazes = false;
@@ -40,8 +40,8 @@ class flat_entry : public flat_sight<N, T, Judge> {
         return {!doubt, encounter::miss};
     }
 
-    // A hit or graze of this feature, if it is certain that it is touched and that no other one is touched first; then
-    // the ball does not overlap now, since distances from what is convex are convex in time.
+    // A hit or graze of this feature, if it certainly is touched and no other one is touched first. The ball then does
+    // not overlap now, since the distance from a convex shape is convex in time.
     [[nodiscard]] constexpr flat_answer if_alone(const flat_answer& x) const {
         bool grazes = false;
         if (!is_collision(x.what) || x.what == encounter::overlap || enters(x, grazes) != alone) {
@@ -62,7 +62,7 @@ class flat_entry : public flat_sight<N, T, Judge> {
     using sight::way_;
 
   private:
-    // Whether a feature is the one that is touched first: no, perhaps, yes, or yes and no other one can be.
+    // Whether a feature is touched first: no, perhaps, yes together with others, or yes alone.
     enum verdict { no, perhaps, shared, alone };
 
     // The sign of x √p - y √q, p, q >= 0, by those of x, y and x² p - y² q.
@@ -173,7 +173,7 @@ class flat_entry : public flat_sight<N, T, Judge> {
         }
         return grazes && slides_off ? no : v;
     }
-    // A condition > 0, and one >= 0, of which 0 shares nothing with another feature.
+    // A condition > 0, and one >= 0 whose 0 is shared with no other feature.
     [[nodiscard]] static constexpr int judge_above(int sign) { return sign == 0 ? -1 : sign; }
     [[nodiscard]] static constexpr int above(int sign) { return sign == 0 ? 1 : sign; }
 };

@@ -1,4 +1,4 @@
-// What is certain of a ball and a flat shape without looking at features.
+// What can be decided about a ball and a flat shape without its features.
 #pragma once
 
 #include <graze/formula/flat_motion.hpp>
@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1 {
 
-// What is known without looking at features. For the points q of the thing (x - q)·u goes from wu - ahead to wu -
-// behind.
+// The range of (x - q)·u for all points q of the shape, without looking at its features: from wu - ahead to
+// wu - behind.
 template <class T>
 struct flat_extent {
     T wu, ahead, behind;
@@ -55,9 +55,9 @@ struct recedes_from_any {
         return x.wu - x.behind;
     }
 };
-// All of the thing is within √diagonal/2 of its middle (of a triangle: the parallelogram's), from which the centre is
+// All of the shape is within √diagonal/2 of its middle (for a triangle, the parallelogram's), from which the centre is
 // middle/2. The centre's line passes it at more than r if |middle × u|² > (20 r² + 5/4 diagonal) u·u, since (2r + d)²
-// <= 20 r² + 5/4 d². Four times either side, in whole numbers.
+// <= 20 r² + 5/4 d². Both sides times four, in whole numbers.
 template <int N, class T>
 struct flat_hull {
     vec<N, T> middle, u;

@@ -19,8 +19,8 @@ struct flat_answer {
     int index = 0;
 };
 
-// judge(F{}, numbers) is the sign of F(numbers), or open_sign. Where it has a scope(), what numbers take while that
-// lives is given back. Where it has_roots, judge.root(x, y) makes y that of x > 0, if it can.
+// judge(F{}, numbers) is the sign of F(numbers), or open_sign. If it has a scope(), the end of that gives back the
+// memory of numbers made meanwhile. If it has_roots, judge.root(x, y) makes y the root of x > 0, if it can.
 template <int N, class T, class Judge>
 class flat_sight {
   public:

@@ -1,8 +1,8 @@
 // Where a ball's path crosses the plane of a flat shape.
 //
-// Seen along a line with direction g through its centre, the ball is a point and the thing a polygon. The line crosses
-// the thing's plane at λ_i = at_i/(g·n), both by one determinant (Cramer's rule for w = Σ λ_i e_i - t g). The way g = u
-// tells what the ball comes to; g = n tells what it is next to now.
+// Seen along a line with direction g through its centre, the ball is a point and the shape a polygon. The line crosses
+// the plane at λ_i = at_i/(g·n), both by one determinant (Cramer's rule for w = Σ λ_i e_i - t g). With g = u this tells
+// what the ball comes to, with g = n what it is next to now.
 #pragma once
 
 #include <graze/formula/flat_motion.hpp>
@@ -24,7 +24,7 @@ template <int N, class T>
     }
 }
 
-// The same of a speed: how fast what moves by pull_i along the sides moves inwards.
+// The same for a speed: how fast something with the speeds pull_i along the sides moves inwards.
 template <int N, class T>
 [[nodiscard]] constexpr T inwards_of_border(int k, bool is_triangle, const std::array<T, N - 1>& pull) {
     if constexpr (N == 2) {
@@ -103,7 +103,7 @@ struct way_clearance {
         return x.height * x.height - x.r * x.r * x.nn;
     }
 };
-// A border as it stands here has the widest bound of all.
+// Of all borders, the default one has the widest bound.
 struct inside_border {
     int k = 1;
     bool is_triangle = true;
@@ -121,7 +121,7 @@ struct inward_speed {
         return inwards_of_border<N, T>(k, is_triangle, x.pull);
     }
 };
-// When the ball touches the face it is inside of the border by O |n| - r I, times |u·n|, for O = inside_border of a
+// When the ball touches the face it is inside of the border by O |n| - r I, times |u·n|, with O = inside_border for
 // u·n > 0 and I = inward_speed: with a root, and as the norm O² n·n - r² I².
 template <int N, class T>
 struct flat_touch {

@@ -18,7 +18,7 @@ template <int N, class X, class U, class S>
 relative_motion(vec<N, X>, vec<N, U>, S) -> relative_motion<N, X, U, S>;
 
 // B is any type with a position, a velocity and a radius, whose numbers may be of different types. Always inlined: in a
-// long file a compiler may otherwise write two balls to memory and call it.
+// long file a compiler might otherwise write two balls to memory and call it.
 template <class B>
 [[nodiscard, gnu::always_inline]] constexpr inline auto relative_motion_between(const B& a, const B& b) {
     auto dx = a.position - b.position; // (2)

@@ -1,4 +1,4 @@
-// The results of graze::solve, and the steps that all kinds of pair share.
+// The results of graze::solve, and the steps that all pair kinds share.
 #pragma once
 
 #include <graze/formula/contact.hpp>

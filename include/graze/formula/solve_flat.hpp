@@ -17,8 +17,8 @@ template <class T>
     return {b.position - t.corner, b.velocity, t.edge, b.radius, true};
 }
 
-// Answers the questions of flat_decision in T. A discriminant, and what goes into a time, is asked of the quadratic
-// that the time is computed from, by variant V.
+// Answers the questions of flat_decision in T. A discriminant, and the numbers of a time, are those of the quadratic
+// from which the time is computed, by variant V.
 template <variant V, int N, class T>
 class direct_judge {
   public:
@@ -152,7 +152,7 @@ requires field_number<T> && has_variant<V, T>
     return detail::solve_flat<V, F>(b, w.corner, detail::flat_motion_of(b, w));
 }
 
-// The same of a triangle.
+// The same for a triangle.
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T>
 requires field_number<T> && has_variant<V, T>
 [[nodiscard]] constexpr wall_solution<3, T> solve(const ball<3, T>& b, const triangle<T>& t) {

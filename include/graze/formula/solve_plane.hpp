@@ -7,7 +7,7 @@
 namespace graze::inline v0_1 {
 
 // The whole solution in T, by Eq. (33) completed. The variant has no effect on a plane's linear equation; it is a
-// parameter so that all kinds of pair are called alike. A plane is never missed and never grazed. Does not check its
+// parameter so that all pair kinds are called alike. A plane is never missed and never grazed. Does not check its
 // input.
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
 requires field_number<T>

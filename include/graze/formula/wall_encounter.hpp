@@ -11,10 +11,10 @@ enum class feature { face, edge, corner };
     return f == feature::face ? "face" : f == feature::edge ? "edge" : "corner";
 }
 
-// index: in space that of an edge at λ_i = far is 2i + far, and a corner's is λ_0 + 2 λ_1; of a triangle edge 1 is the
-// one at λ_0 + λ_1 = 1, in the place of that at λ_0 = 1, and corners are 0, 1 and 2. In the plane a corner's is λ_0. A
-// face's is 0. For an overlap the feature is the closest one at t = 0; for recede and miss it means nothing, but for
-// recede in graze::solve, which names the closest one too.
+// index: in space an edge at λ_i = far has 2i + far, and a corner λ_0 + 2 λ_1. A triangle's edge 1 is the one at λ_0 +
+// λ_1 = 1, in place of that at λ_0 = 1, and its corners are 0, 1 and 2. In the plane a corner has λ_0. A face has 0.
+// For an overlap the feature is the closest one at t = 0. For recede and miss it means nothing, except that
+// graze::solve names the closest one for recede too.
 struct wall_encounter {
     encounter what;
     feature where;

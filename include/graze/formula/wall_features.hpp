@@ -58,7 +58,7 @@ struct wall_view {
     bool swapped = false;
     bool slanted = false;
 };
-// What an edge is called among all of a wall's and a triangle's: a triangle's own third one is number 4.
+// An edge's number among those of a wall and a triangle: the triangle's slanted edge is number 4.
 inline constexpr int slanted_edge = 4;
 [[nodiscard]] constexpr int edge_number(int index, bool is_triangle) noexcept {
     return is_triangle && index == 1 ? slanted_edge : index;
@@ -66,7 +66,7 @@ inline constexpr int slanted_edge = 4;
 [[nodiscard]] constexpr int feature_number(feature where, int index, bool is_triangle) noexcept {
     return where == feature::edge ? edge_number(index, is_triangle) : index;
 }
-// The view in which that edge is the edge λ_0 = 0.
+// The view in which this edge is the edge λ_0 = 0.
 [[nodiscard]] constexpr wall_view edge_view(int number) noexcept {
     return number == slanted_edge ? wall_view{1, false, true}
            : number < 2           ? wall_view{number, false}
