@@ -31,7 +31,7 @@ enum class cells { where_useful, none };
 // time: every event up to the time asked for has been done. events: that many have been done. exhausted: nothing more
 // will ever happen, so no event reaches a later time or a larger number. stopped: the observer returned false. cascade:
 // events follow each other without end while time stands still, or almost. idle: in a scene that has a period, nothing
-// has happened while each ball flew a thousand distances between balls and all together a million, and it is not known
+// has happened while balls left a thousand shells for each ball and a hundred thousand more, and it is not known
 // whether anything will; advance goes on looking.
 enum class ending { time, events, exhausted, stopped, cascade, idle };
 

@@ -1,4 +1,4 @@
-// The cells of one size in which points are.
+// The cells of one size that hold points.
 #pragma once
 
 #include <graze/linear/vec.hpp>
@@ -15,8 +15,8 @@ namespace graze::inline v0_1::detail {
     return whole - (static_cast<double>(whole) > x ? 1 : 0);
 }
 
-// power: which level this is. around: so many cells are a period; more than there are where there is none. start: where
-// the first cell of a period begins. reach: the largest yet of its points. count: of points.
+// power: the number of the level. around: how many cells make a period; without one, more than there can be. start:
+// where the first cell of a period begins. reach: the largest so far of its points. count: the number of points.
 template <int N>
 struct cell_level {
     using cell = std::array<std::int64_t, N>;
@@ -48,7 +48,7 @@ struct cell_level {
         const std::int64_t n = around[static_cast<std::size_t>(axis)];
         return n == endless ? along(x, axis) : std::clamp<std::int64_t>(along(x, axis), 0, n - 1);
     }
-    // In which period that cell is.
+    // The period in which that cell is.
     [[nodiscard]] std::int32_t period_of(std::int64_t coordinate, int axis) const noexcept {
         const std::int64_t n = around[static_cast<std::size_t>(axis)];
         return n == endless ? 0 : static_cast<std::int32_t>((coordinate - (coordinate < 0 ? n - 1 : 0)) / n);

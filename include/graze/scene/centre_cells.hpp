@@ -18,16 +18,16 @@
 namespace graze::inline v0_1::detail {
 
 // Points, each with a reach. Those whose reaches differ by less than a factor of 2 are on one level, in cells twice as
-// wide as the largest of these. Space has no end, and an empty cell takes no memory: where a cell's points are is found
-// by a hash of its coordinates. Along an axis of which period[i] > 0 space is a circle of that length, on which points
-// are within half of it around 0; there cells are wider by as much as it takes to have a whole number of them.
+// wide as the largest of these. Space has no end, and an empty cell takes no memory: a hash of a cell's coordinates
+// finds its points. Along an axis with period[i] > 0 space is a circle of that length, and points are within half of it
+// around 0. There, cells are wider by as much as it takes to have a whole number of them.
 template <int N>
 class centre_cells {
   public:
     using point = vec<N, double>;
 
     centre_cells() = default;
-    // Of so many points; cells are cut so that usual_reach is the largest on its level.
+    // For so many points; cells are cut so that usual_reach is the largest on its level.
     centre_cells(std::size_t points, double usual_reach, const point& period)
         : entries_(points), heads_(std::bit_ceil(2 * points + 16), no_body), base_(usual_reach), period_(period) {
         for (int i = 0; i < N; ++i) {
@@ -75,8 +75,8 @@ class centre_cells {
     }
     [[nodiscard]] const point& operator[](body a) const noexcept { return entries_[a].at; }
 
-    // f(b, image) for all points' images that may be within `reach` and their own of x, but for those that certainly
-    // are not; seldom more than once. everyone: without cells.
+    // f(b, image) for all points' images that may be within `reach` plus their own reach of x; seldom more than once.
+    // everyone: without cells.
     template <class F>
     void around(const point& x, double reach, bool everyone, F f) const {
         for (const level& l : levels_) {
@@ -171,8 +171,8 @@ class centre_cells {
             }
         });
     }
-    // f(from, image, key) for each cell in the box, along this axis and those before: x is at `from` as seen from the
-    // points in the cell of that key, of which it is that image.
+    // f(from, image, key) for each cell in the box, along this axis and those before: the cell with that key holds that
+    // image of its points, and x is at `from` as seen from the points.
     template <int Axis, class F>
     [[gnu::always_inline]] void walk(const level& l, const cell& low, const cell& high, point from, whole_periods image,
                                      std::uint64_t key, F f) const {
@@ -201,7 +201,7 @@ class centre_cells {
     std::vector<level> levels_;
     double base_ = 1;
     point period_{};
-    double slack_ = 0; // more than whole periods and places within them are rounded by
+    double slack_ = 0; // more than the rounding of whole periods and of places within them
 };
 
 } // namespace graze::inline v0_1::detail

@@ -11,7 +11,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// Whether x is a number that is not infinite: those alone have a difference of 0 to themselves.
+// Whether x is a number and not infinite: only then is x - x 0.
 template <number T>
 [[nodiscard]] constexpr bool is_finite_number(const T& x) {
     if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>) {
@@ -39,7 +39,7 @@ template <int N, class T>
     return true;
 }
 
-// What is wrong with it, or nullptr.
+// The fault of a ball, or nullptr.
 template <int N, class T>
 [[nodiscard]] constexpr const char* fault_of(const ball<N, T>& b) {
     return !is_finite_vector(b.position)   ? "position is not finite"
@@ -56,7 +56,7 @@ template <int N, class T>
            : is_zero_vector(p.normal)    ? "normal is zero"
                                          : nullptr;
 }
-// Of a wall or a triangle, all but whether edges are parallel, which is the sign of a formula that T may round.
+// For a wall or a triangle, all but parallel edges, which the sign of a formula decides that T may round.
 template <class W>
 requires requires(const W& w) { w.edge; }
 [[nodiscard]] constexpr const char* fault_of(const W& w) {
@@ -74,7 +74,7 @@ requires requires(const W& w) { w.edge; }
     return nullptr;
 }
 
-// fault(part): what is wrong with it, or nullptr.
+// fault(part): the fault of a part, or nullptr.
 template <class Part, class Fault>
 void check_parts(std::span<const Part> pieces, const char* kind, Fault fault) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -84,7 +84,7 @@ void check_parts(std::span<const Part> pieces, const char* kind, Fault fault) {
     }
 }
 
-// What is wrong with parts in a space that repeats itself after a length along an axis, or nullptr.
+// The fault of a part in a space that repeats itself after a length along an axis, or nullptr.
 template <int N, class T>
 [[nodiscard]] constexpr const char* fault_in_period(const ball<N, T>& b, const T& length, int) {
     return b.radius < T(length - b.radius) ? nullptr : "diameter reaches the period";
@@ -122,7 +122,7 @@ template <int N, class T>
     return !is_zero_vector(s.period);
 }
 
-// Throws std::domain_error where images would have to be looked at.
+// Throws std::domain_error if the scene has a period.
 template <int N, class T>
 void refuse_period(const scene<N, T>& s, const char* by) {
     if (is_periodic(s)) {

@@ -79,7 +79,7 @@ class images {
         }
         return f(s);
     }
-    // Brings a position to within half a period of 0. Returns how many it has gone back.
+    // Brings a position to within half a period of 0. Returns by how many periods.
     [[nodiscard]] image_index bring_back(state& a) const {
         if constexpr (mechanics_of_periods<M>) {
             if (is_periodic_) {

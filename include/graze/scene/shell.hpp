@@ -12,7 +12,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// when: until then. known: whether doubles can tell.
+// when: the flight is in its shell until then. known: whether doubles can tell.
 template <int N>
 struct shell_end {
     static constexpr double never = std::numeric_limits<double>::max();
@@ -20,10 +20,10 @@ struct shell_end {
     bool known;
 };
 
-// Of a flight whose every number, and every time of an event, is within 2^-50 of the true one, relatively: at a time t
-// the true position is within 2^-46 (|x| + |u| (|t| + |since|)) of x + u (t - since) as it is computed here, sums of
-// the components' magnitudes for the norms. A 32nd of the radius is left to that, at the end, which is the worst; half
-// as much again to the roundings below, of numbers that are neither beyond 2^400 nor below 2^-400 but 0.
+// For a flight whose every number, and every time of an event, is within 2^-50 of the true one, relatively: at a time t
+// the true position is within 2^-46 (|x| + |u| (|t| + |since|)) of x + u (t - since) as it is computed here, with sums
+// of the components' magnitudes for the norms. A 32nd of the radius is left for that at the end, where it is worst, and
+// half as much for the roundings below, of numbers that are 0 or between 2^-400 and 2^400.
 template <int N>
 [[nodiscard]] inline shell_end<N> end_of_shell(const flight<N, double>& f, double now, const vec<N, double>& centre,
                                                double radius) noexcept {

@@ -9,8 +9,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// In a box, and in the plane through `point` with the normal n. Numbers are within 2^-46 of the true ones, those of a
-// box relatively to the largest along their axis. A plane's box is all space, and so is that of what has no certain
+// It is in a box, and in the plane through `point` with the normal n. Numbers are within 2^-46 of the true ones, those
+// of a box relative to the largest along their axis. A plane's box is all space; so is that of a wall without a certain
 // plane.
 template <int N>
 struct standing_extent {
@@ -26,8 +26,8 @@ template <int N>
     return {make_vec<N>([](int) { return -far; }), make_vec<N>([](int) { return far; }), point, n};
 }
 
-// Of a wall or a triangle, each number of which is within 2^-50 of the true one, relatively. Edges that are nearly
-// parallel have a normal that cancels: each of its components is right to 2^-47 |e||f|.
+// For a wall or a triangle, each number of which is within 2^-50 of the true one, relatively. The normal of edges that
+// are nearly parallel cancels: each of its components is right to 2^-47 |e||f|.
 template <int N>
 [[nodiscard]] standing_extent<N> extent_of(const vec<N, double>& corner,
                                            const std::array<vec<N, double>, N - 1>& edge) {

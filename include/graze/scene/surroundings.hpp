@@ -54,15 +54,15 @@ class surroundings {
     [[nodiscard]] bool is_everywhere(body a) const noexcept { return shells_[a].everywhere; }
     [[nodiscard]] std::span<const body> everywhere() const noexcept { return everywhere_; }
     [[nodiscard]] std::span<const body> of(body a) const noexcept { return lists_.of(a); }
-    // In a periodic space: of b, the i-th on a's list or of those for its next shell, the image that may be near,
-    // counted as `predicted` does if each ball has gone back by `periods` of it.
+    // In a periodic space: the image that may be near of b, the i-th on a's list (or on that for its next shell),
+    // counted as in `predicted`.
     [[nodiscard, gnu::always_inline]] image_index image(body a, std::size_t i, body b) const noexcept {
         return decoded(lists_.images_of(a)[i]) + shells_[a].place - (b < balls_ ? shells_[b].place : image_index{});
     }
     [[nodiscard]] image_index fresh_image(std::size_t i, body b) const noexcept {
         return decoded(fresh_images_[i]) + next_.place - (b < balls_ ? shells_[b].place : image_index{});
     }
-    // Until when a ball in flight, which has gone back by so many periods, is in its shell.
+    // Until when a ball in flight is in its shell. gone: how many periods it has gone back.
     [[nodiscard]] shell_end<N> end(body a, const flight<N, double>& f, double now,
                                    image_index gone = {}) const noexcept {
         return shells_[a].everywhere
@@ -70,9 +70,9 @@ class surroundings {
                    : end_of_shell(f, now, from_flight(cells_[a], shells_[a].place - gone), shells_[a].radius);
     }
 
-    // The neighbours that a has if its shell is where it flies at `now`, into fresh(). False if it can have no shell.
-    // more: how much farther the shell has to reach than would do. If each ball has left dozens of shells without an
-    // event, it may be that none will follow.
+    // Writes the neighbours of a, if its shell is where it flies at `now`, to fresh(). False if it can have no shell.
+    // more: how much farther the shell has to reach than usual. If each ball has left dozens of shells without an
+    // event, none may follow.
     [[nodiscard]] bool look_around(body a, const flight<N, double>& f, double now, image_index gone = {},
                                    double more = 0) {
         next_ = {f.state.radius, shells_[a].radius, false, true, {}};
@@ -118,11 +118,11 @@ class surroundings {
         return true;
     }
     [[nodiscard]] std::span<const body> fresh() const noexcept { return fresh_; }
-    // Until when it will be in that shell.
+    // Until when a will be in that shell.
     [[nodiscard]] double fresh_end(const flight<N, double>& f, double now) const noexcept {
         return end_of_shell(f, now, centre_in_flight_, next_.radius).when;
     }
-    // After it, settle neither allocates nor throws.
+    // After this, settle neither allocates nor throws.
     void make_room(body a) {
         cells_.make_level(next_.ball + next_.radius);
         for (const body b : fresh_) {
