@@ -45,8 +45,8 @@ struct basic_error_bound {
         }
         return u;
     }();
-    // The factor that covers fewer than 2^12 roundings in what goes with a bound: the compiler's own of magnitude and
-    // error, and those of the scales.
+    // The factor that covers fewer than 2^12 roundings beside a bound: the compiler's own, of magnitude and error, and
+    // those of the scales.
     static constexpr double slack = 1 + 0x1p12 * unit;
     // An input of the given degree that is exact, and one that was rounded once (a difference or sum of inputs).
     [[nodiscard]] static constexpr basic_error_bound exact_input(degrees d) { return {1, 0, d}; }

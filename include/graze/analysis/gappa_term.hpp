@@ -22,8 +22,8 @@ class gappa_script {
     // An input that is exact, or that was rounded once. |value| <= 1.
     [[nodiscard]] gappa_term exact_input(const std::string& name);
     [[nodiscard]] gappa_term rounded_input(const std::string& name);
-    // A value of which another proof says that it differs from `exact` by at most `error` units u. Both are expressions
-    // and may name inputs and each other: "exact_" + name is the exact value that `name` stands for.
+    // A value that, by another proof, differs from `exact` by at most `error` units u. Both are expressions and may
+    // name inputs and each other: "exact_" + name is the exact value that `name` stands for.
     [[nodiscard]] gappa_term approximate_input(const std::string& name, const std::string& exact,
                                                const std::string& error);
 

@@ -5,13 +5,13 @@
 
 namespace graze::inline v0_1::detail {
 
-// Of a value that stands for an exact one whose terms' magnitudes add up to S (term_size): |low| <= low u S, and |exact
+// A value stands for an exact one whose terms' magnitudes add up to S (term_size): |low| <= low u S, and |exact
 // - (high + low)| <= error u² S, u = 2^-53, to nearest. |high| <= (1 + 2^-40) S.
 //   Sums: the low parts, at most l u S in all, and the error of the high parts' sum, at most u S, are added with two
 //     roundings of at most l u² S and (l + 1) u² S.
-//   Products: what is left out is low·low; the two products of one high and one low part, together (l + m) u S, take
-//   two
-//     roundings, and adding the error of the high parts' product one more.
+//   Products: low·low is left out; the two products of one high and one low part, together (l + m) u S, take two
+//     roundings,
+//     and adding the error of the high parts' product takes one more.
 // A sum's `low` and `error` are the larger of its terms': each counts against its own terms.
 struct word_rounding {
     double low = 0;

@@ -37,8 +37,8 @@ template <int Bits>
     return {x.is_negative() ? -value : value, 64 * top - (zeros == 64 ? 0 : zeros)};
 }
 
-// The highest digit may be small; the next one then carries the significant bits. What is below is less than one part
-// in 2^63 of these two.
+// The highest digit may be small; the next one then carries the significant bits. All digits below are less than one
+// part in 2^63 of these two.
 [[nodiscard, gnu::noinline]] constexpr scaled_double approximate(const big_integer& x) noexcept {
     if (x.count() == 0) {
         return {};

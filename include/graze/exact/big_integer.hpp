@@ -20,7 +20,7 @@ namespace detail {
 
 // ± Σ digit_i 2^(64 (low + i)), the digits in [-2^63, 2^63), the first and the last not 0: the sign is that of the last
 // one, since all below amount to less than its unit. Between numbers with exponents far apart lie zeros, whose rows in
-// a product cost nothing. A value: its digits, which lie in a workspace or are constants, never change.
+// a product cost nothing. A value: its digits are in a workspace or are constants, and never change.
 class big_integer {
   public:
     constexpr big_integer() noexcept = default;
@@ -52,7 +52,7 @@ class big_integer {
     }
     [[nodiscard]] constexpr int count() const noexcept { return count_; }
     [[nodiscard]] constexpr int low() const noexcept { return low_; }
-    // Of |x| or -|x|: of a number that is_negated, the digits of its negative.
+    // For |x| or -|x|: the digits of a number that is_negated are those of its negative.
     [[nodiscard]] constexpr std::int64_t digit(int i) const noexcept { return digit_[i]; }
     [[nodiscard]] constexpr bool is_negated() const noexcept { return negative_; }
     [[nodiscard]] constexpr workspace* room() const noexcept { return room_; }
@@ -155,7 +155,7 @@ class big_integer {
     }
 
   private:
-    // Of digits that have been taken: without zeros at either end, and keeps the rest.
+    // From digits that have been taken: drops zeros at either end and keeps the rest.
     constexpr big_integer(workspace* w, std::int64_t* digit, int count, int low, bool negative) noexcept {
         while (count > 0 && digit[count - 1] == 0) {
             --count;

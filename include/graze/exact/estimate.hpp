@@ -32,7 +32,7 @@ struct estimate {
     return {x.value * scale, x.error * scale, x.exponent + power};
 }
 
-// x at a larger exponent. What is shifted out becomes part of the error.
+// x at a larger exponent. The bits that are shifted out become part of the error.
 [[nodiscard]] constexpr estimate at_exponent(const estimate& x, int exponent) noexcept {
     const int down = exponent - x.exponent;
     if (down > 400) {

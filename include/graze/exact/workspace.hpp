@@ -22,7 +22,7 @@ class workspace {
     }
     constexpr void keep_until(std::int64_t* end) noexcept { next_ = end; }
 
-    // Whatever is taken during its lifetime is given back at its end.
+    // Its end gives back everything that was taken during its lifetime.
     class scope {
       public:
         constexpr explicit scope(workspace* w) noexcept : workspace_(w), mark_(w != nullptr ? w->next_ : nullptr) {}

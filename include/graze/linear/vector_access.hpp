@@ -1,4 +1,4 @@
-// Vectors of other libraries and of users: how many components they have, of what type, and which they are.
+// Vectors of other libraries and of users: how many components they have, of which type, and how to read them.
 #pragma once
 
 #include <graze/linear/vec.hpp>

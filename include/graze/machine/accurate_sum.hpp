@@ -1,14 +1,14 @@
-// A sum of doubles and products as if in three times their precision.
+// Sums of doubles and products, as if in three times their precision.
 #pragma once
 
 #include <graze/machine/error_free.hpp>
 
 namespace graze::inline v0_1::detail {
 
-// SumK with K = 3 (Ogita, Rump, Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26(6), 2005). Of n terms, n
-// <= 32, whose magnitudes add up to S, high + middle + low is off by at most n³u³S < 2^-143 S, u = 2^-53: what the sums
-// of the terms leave out adds up to at most n u S, what the sums of that leave out to n² u² S, and that is summed with
-// n roundings. Under the conditions of error-free transforms.
+// SumK with K = 3 (Ogita, Rump, Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26(6), 2005). For n <= 32
+// terms whose magnitudes add up to S, high + middle + low is off by at most n³u³S < 2^-143 S, u = 2^-53: the errors of
+// the terms' sums add up to at most n u S, the errors of those sums to n² u² S, and the latter are summed with n
+// roundings. Under the conditions of error-free transforms.
 template <bool Fused>
 struct accurate_sum {
     double high = 0, middle = 0, low = 0;

@@ -34,7 +34,7 @@ inline constexpr bool has_error_free_doubles = false;
 #else
     one = hidden(one);
 #endif
-    return one - 0x1p-55 >= one + 0x1p-55; // for less than ==
+    return one - 0x1p-55 >= one + 0x1p-55; // cheaper than ==
 }
 
 // Whether subnormals are read and written as they are.

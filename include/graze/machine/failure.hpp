@@ -12,12 +12,12 @@ namespace graze::inline v0_1::detail {
 
 #if defined(__cpp_exceptions)
 
-#if !defined(GRAZE_DETAIL_WIDE_UNIT) // which defines nothing that another unit might have
+#if !defined(GRAZE_DETAIL_WIDE_UNIT) // such a unit defines nothing that another unit might have
 [[gnu::used]] inline void throw_domain_error(const char* message) { throw std::domain_error(message); }
 #endif
 
 inline namespace with_exceptions {
-struct unit_mode {}; // as a template's argument it makes what units of the two kinds compile two things
+struct unit_mode {}; // as a template argument it makes different functions in units of the two kinds
 template <class Error>
 [[noreturn]] void fail(const std::string& message) {
     throw Error(message);

@@ -1,8 +1,8 @@
-// Optimisation barriers. Each gives its argument back; what a compiler may then no longer do stands beside it.
+// Optimisation barriers. Each returns its argument. After it a compiler may no longer
 //
-//   settled      fuse, reorder or simplify across x, under -fassociative-math and contraction too: error-free
-//   transforms as_stored    see more of x than memory would hold: a caller's expression, a register of more precision,
-//   a
+//   settled      fuse, reorder or simplify across x, even under -fassociative-math and contraction: for error-free
+//                transforms
+//   as_stored    see more of x than memory would hold: a caller's expression, a register of more precision, a
 //                conversion to float that it has dropped
 //   opaque       know where these bits come from: a comparison of bits stays one of bits
 //   hidden       know the value of x: what a program asks of its floating-point environment is computed when it runs
@@ -87,8 +87,8 @@ template <class T>
 #endif
 }
 
-// x, read by itself. A compiler that sees its neighbour in memory would read both at once, and wait until both had been
-// written there one by one.
+// x, read by itself. If a compiler sees its neighbour in memory, it would read both at once, and that would wait until
+// both had been written, one by one.
 [[nodiscard, gnu::always_inline]] inline double read_alone(double x) noexcept {
 #if defined(__GNUC__) && defined(__SSE2_MATH__)
     __asm__("" : "+x"(x));

@@ -17,7 +17,7 @@ template <class F>
     return f(std::true_type{});
 }
 template <class F>
-[[nodiscard, gnu::noinline, gnu::cold]] auto run_unfused(passed<F> f) { // mostly not used: small before fast
+[[nodiscard, gnu::noinline, gnu::cold]] auto run_unfused(passed<F> f) { // seldom used: small rather than fast
     return f(std::false_type{});
 }
 #endif
@@ -34,8 +34,8 @@ template <class F>
 #endif
 }
 
-// The same of what a further stage can do as well: `otherwise` on a machine that turns out not to have the instruction,
-// which spares every unit the code for such machines.
+// The same if a further stage can take over: `otherwise` is the answer on a machine that turns out not to have the
+// instruction. This spares every unit the code for such machines.
 template <class F, class R>
 [[nodiscard, gnu::always_inline]] inline R with_fused_products(const F& f, [[maybe_unused]] const R& otherwise) {
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__)

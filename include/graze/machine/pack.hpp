@@ -18,8 +18,8 @@ inline constexpr int register_bytes = 16;
 inline constexpr int register_bytes = 0;
 #endif
 
-// The bytes of the registers for which graze::compiled has units of its own, where it is linked with: 0 where that is
-// none or no more.
+// The bytes of the registers for which graze::compiled has units of its own, if it is linked. 0 if there are none, or
+// none wider than this unit's.
 #if defined(GRAZE_COMPILED) && defined(__GNUC__) && defined(__x86_64__)
 inline constexpr int compiled_register_bytes = register_bytes < 32 ? 32 : 0;
 #else
@@ -41,7 +41,7 @@ struct vector_of {
 #endif
 };
 
-// What holds of each lane: all bits of its lane, or none.
+// A condition for each lane: all bits of the lane are set where it holds, or none.
 template <class T, int Lanes>
 struct pack_mask {
     using integer = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
@@ -188,7 +188,7 @@ template <class T, int Lanes>
     }
 }
 
-// Of a mask: whether it holds of lane k in bit k; and that of a mask that holds of no lane less than all.
+// The bits of a mask: bit k says whether it holds in lane k; and those of a mask that holds in every lane.
 template <class T, int Lanes>
 [[nodiscard, gnu::always_inline]] inline unsigned bits_of(const pack_mask<T, Lanes>& x) noexcept {
     return sign_bits(pack<T, Lanes>::of(x));

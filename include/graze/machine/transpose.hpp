@@ -70,7 +70,7 @@ template <class T, int Lanes, class Row>
 
 #undef GRAZE_DETAIL_SHUFFLES
 
-// The first Count numbers of each row, 4 to 8. What is left at the end of a row is read with what stands before it.
+// The first Count numbers of each row, 4 to 8. The rest at the end of a row is read together with the numbers before.
 template <int Count, class T, int Lanes, class Row>
 [[nodiscard, gnu::always_inline]] inline std::array<pack<T, Lanes>, Count> transposed(const Row& row) noexcept {
     constexpr int chunk = 16 / static_cast<int>(sizeof(T));

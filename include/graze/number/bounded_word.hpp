@@ -8,10 +8,10 @@
 namespace graze::inline v0_1::detail {
 
 // |exact - value| <= error. The bounds of double_word's operations (3u² + 13u³ < 2^-103, 7u² < 2^-102, 15u² + 56u³ <
-// 2^-101, 25/8 u² < 2^-103) leave room for the roundings of the error itself, which are below 2^-50 of it. What
-// underflows loses less than 2^-1040 in a product, and in a quotient by at least 2^-400 less than 2^-600. An error of 0
-// is kept by products with an exact 0, by sums and products of two doubles, and by quotients and roots that are
-// doubles.
+// 2^-101, 25/8 u² < 2^-103) leave room for the roundings of the error itself, which are below 2^-50 of it. Underflow
+// loses less than 2^-1040 in a product, and less than 2^-600 in a quotient by at least 2^-400. An error of 0 stays 0 in
+// products with an exact 0, in sums and products of two doubles, and in quotients and roots that
+// are doubles.
 class bounded_word {
   public:
     constexpr bounded_word() = default;
