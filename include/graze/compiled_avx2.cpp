@@ -1,6 +1,6 @@
-// Batches in registers of 32 bytes: compiled with -mavx2 -mfma, and run where the processor has both. What is made here
-// is of packs of four doubles or eight floats, or takes what such registers are called by, and has a name that no other
-// unit has: else the linker might take a function from here for a machine without them.
+// Batches in registers of 32 bytes: compiled with -mavx2 -mfma, and run where the processor has both. Every function
+// made here has packs of four doubles or eight floats, or the register size, in its name, so that no other unit has
+// that name: else the linker might take a function from here for a machine without such registers.
 #define GRAZE_DETAIL_WIDE_UNIT
 #include <graze/batch.hpp>
 
@@ -22,7 +22,7 @@ void time_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t c
     time_lanes<wide_pack<typename A::scalar>>(a, b, from, count, mode, time, left);
 }
 
-// The lists of what is asked: of balls, from either form; and of one thing.
+// The lists of questions: about balls, in either form, and about one thing.
 #define GRAZE_ASK(Q, A, B)                                                                                             \
     template void ask_compiled_lanes<32, Q, A, B>(const A&, const B&, std::size_t, std::size_t, Q::answer*,            \
                                                   open_pairs&) noexcept;

@@ -13,7 +13,7 @@
 
 namespace graze::inline v0_1 {
 
-// Two shapes of which at least one is a user's.
+// Two shapes, at least one of them a user's.
 template <class A, class B>
 concept foreign_pair = (foreign_shape<A> && (foreign_shape<B> || own_shape<B>)) || (own_shape<A> && foreign_shape<B>);
 

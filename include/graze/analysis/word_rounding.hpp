@@ -9,9 +9,9 @@ namespace graze::inline v0_1::detail {
 // - (high + low)| <= error u² S, u = 2^-53, to nearest. |high| <= (1 + 2^-40) S.
 //   Sums: the low parts, at most l u S in all, and the error of the high parts' sum, at most u S, are added with two
 //     roundings of at most l u² S and (l + 1) u² S.
-//   Products: low·low is left out; the two products of one high and one low part, together (l + m) u S, take two
-//     roundings,
-//     and adding the error of the high parts' product takes one more.
+//   Products: low·low is left out; the two products of one high and one low part, together (l + m) u S, take
+//     two roundings, and adding the error of the
+//     high parts' product takes one more.
 // A sum's `low` and `error` are the larger of its terms': each counts against its own terms.
 struct word_rounding {
     double low = 0;

@@ -166,7 +166,7 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
         return;
     }
     if constexpr (!std::signed_integral<T>) {
-        any |= std::uint64_t{1} << (std::numeric_limits<T>::digits - 1); // hidden bits, of which there is none or this
+        any |= std::uint64_t{1} << (std::numeric_limits<T>::digits - 1); // the only possible hidden bit
     }
     r.zeros = std::countr_zero(any);
     r.lowest = stored_exponent<T>(low + 1);

@@ -69,7 +69,7 @@ template <class Question, class V, class A, class B>
     left.add_rest(i, count);
 }
 
-// ask_lanes in registers of so many bytes, in a unit of graze::compiled.
+// ask_lanes in registers of that many bytes, in a unit of graze::compiled.
 template <int Bytes, class Question, class A, class B>
 void ask_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t count, typename Question::answer* answers,
                         open_pairs& left) noexcept;

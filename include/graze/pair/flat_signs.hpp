@@ -1,4 +1,4 @@
-// The signs that decide the encounter of a ball with a flat shape, in doubles, with a bound from the norms at hand.
+// The signs that decide the encounter of a ball with a flat shape, in doubles, with a bound from the present norms.
 #pragma once
 
 #include <graze/filter/scaled_filter.hpp>

@@ -95,7 +95,7 @@ struct ball_and_wall {
     static constexpr std::size_t normals = 0;
     static constexpr std::size_t epochs = 1;
 
-    // Of a wall or a triangle.
+    // For a wall or a triangle.
     template <class T, class W>
     static constexpr void pack(T* row, const ball<N, T>& b, const W& w) noexcept {
         for (std::size_t i = 0; i < n; ++i) {

@@ -12,7 +12,7 @@
 namespace graze::inline v0_1 {
 
 // Predictions and contacts in T by the formulas of `solve`, in variant V and root form F, each operation with T's own
-// error: nothing is promised about decisions, order or states. Of two balls with different epochs, the earlier one is
+// error: nothing is promised about decisions, order or states. If two balls have different epochs, the earlier one is
 // first advanced to the later epoch, in T.
 template <int N, number T, variant V = variant::halved, root_form F = root_form::stable>
 requires field_number<T> && has_sqrt<T> && has_variant<V, T>

@@ -25,8 +25,8 @@ template <class T>
     }
 }
 
-// What is wrong with another state of ball a, or nullptr, by its roundings to doubles. Those of two equal times differ
-// by no more than 2^-49 of them.
+// The fault of another state of ball a, or nullptr, by its roundings to doubles. Roundings of two equal times differ by
+// no more than 2^-49 of them.
 template <mechanics M>
 [[nodiscard]] const char* fault_of_state(const moving_scene<M>& scene, body a, const typename M::state& other,
                                          double now) {

@@ -43,7 +43,7 @@ struct cell_level {
     [[nodiscard]] std::int64_t along(double x, int axis) const noexcept {
         return whole_below((x - start[axis]) * per_length[axis]);
     }
-    // Of a point within half a period of 0, but for rounding.
+    // For a point within half a period of 0, but for rounding.
     [[nodiscard]] std::int64_t along_inside(double x, int axis) const noexcept {
         const std::int64_t n = around[static_cast<std::size_t>(axis)];
         return n == endless ? along(x, axis) : std::clamp<std::int64_t>(along(x, axis), 0, n - 1);

@@ -93,7 +93,7 @@ template <int N, class T>
 [[nodiscard]] constexpr const char* fault_in_period(const plane<N, T>& p, const T&, int axis) {
     return graze::sign(p.normal[axis]) == 0 ? nullptr : "normal has a component along a period";
 }
-// Of a wall or a triangle.
+// For a wall or a triangle.
 template <class W, class T>
 requires requires(const W& w) { w.edge; }
 [[nodiscard]] constexpr const char* fault_in_period(const W& w, const T& length, int axis) {

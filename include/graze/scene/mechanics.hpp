@@ -132,7 +132,7 @@ concept mechanics_of_clocks = requires(const M& m, typename M::state& changed, c
 
 // The questions of scenes that have a period. An image is that of the second ball, or of a wall. [image_shift]
 //   wrap       brings a ball's position to within half a period of 0 along each axis of period L > 0, or near it, and
-//              returns how many periods it has taken from it: so many and the position are what it was, exactly
+//              returns how many periods it has taken from it: these and the position add up to the old one, exactly
 //   meet       when a meets b's image
 //   bounce     as for two balls, a with b's image; each stays where it is itself
 //   displaced  a wall's or a triangle's image

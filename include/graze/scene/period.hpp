@@ -14,8 +14,8 @@
 namespace graze::inline v0_1 {
 
 // Brings x into (-length/2, length/2], by the IEEE remainder of x by length > 0, exactly where T is a floating-point
-// type or subtracts exactly. Of two halves the upper one and of two zeros +0, so that nothing depends on the period in
-// which x was. Returns how many lengths x was larger. Throws std::range_error if these are 2^30 or more.
+// type or subtracts exactly. A half becomes the upper one and a zero +0, so that nothing depends on the period in which
+// x was. Returns by how many lengths x was larger. Throws std::range_error if these are 2^30 or more.
 template <class T>
 constexpr std::int32_t bring_within(T& x, const T& length) {
     const double periods = static_cast<double>(x) / static_cast<double>(length);

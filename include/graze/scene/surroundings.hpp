@@ -111,7 +111,7 @@ class surroundings {
                 add_image(image);
             };
         };
-        standing_.planes_around(centre_, reach, add({})); // of which no normal has a component along a period
+        standing_.planes_around(centre_, reach, add({})); // their normals have no component along a period
         standing_.for_each_image(centre_, reach, period_, [&](const vec<N, double>& from, image_index image) {
             standing_.walls_around(from, reach, add(image));
         });
@@ -218,10 +218,10 @@ class surroundings {
     centre_cells<N> cells_;
     neighbour_lists lists_;
     std::vector<shell> shells_;
-    body balls_ = 0; // so many
+    body balls_ = 0; // how many
     std::vector<body> everywhere_;
     double least_ = 0;     // to which a shell shrinks
-    std::size_t idle_ = 0; // so many shells since something has happened
+    std::size_t idle_ = 0; // shells since the last event
     bool with_cells_ = false;
     // of the ball looked at last
     shell next_;

@@ -103,7 +103,7 @@ template <class V, class A, class B>
     }
 }
 
-// time_lanes in registers of so many bytes, in a unit of graze::compiled.
+// time_lanes in registers of that many bytes, in a unit of graze::compiled.
 template <int Bytes, class A, class B>
 void time_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t count, rounding mode,
                          typename A::scalar* time, open_pairs& left) noexcept;

@@ -14,7 +14,7 @@ namespace graze::inline v0_1::detail {
 
 enum class event_kind : std::uint8_t { balls, plane, face, edge, corner };
 
-// Of a wall or a triangle.
+// For a wall or a triangle.
 template <int N>
 [[nodiscard]] constexpr event_kind kind_of(feature f) noexcept {
     return f == feature::face ? event_kind::face : f == feature::edge ? event_kind::edge : event_kind::corner;

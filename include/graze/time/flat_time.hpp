@@ -81,7 +81,7 @@ template <int N>
     return from;
 }
 
-// Of a hit that is near `time`.
+// For a hit near `time`.
 template <int N, class T>
 struct flat_time_near {
     const event<N, T>* e;

@@ -67,7 +67,7 @@ template <bool Fused, int N, class T>
     return r;
 }
 
-// A time from the start, on the clock. What is lost where the start was scaled before is below 2^-1000.
+// A time from the start, on the clock. If the start was scaled before, its loss is below 2^-1000.
 [[nodiscard, gnu::always_inline]] inline bounded<double> on_clock(double start, const bounded<double>& time) noexcept {
     const auto sum = two_sum(start, time.high);
     return {sum.value, sum.error + time.low, (1 + 0x1p-40) * time.error + (0x1p-104 * absolute(sum.value) + 0x1p-1000)};

@@ -25,7 +25,7 @@ struct term_list {
         append(x.value);
         append(x.error);
     }
-    // As three doubles of which each is small beside the one before.
+    // As three doubles, each small beside the one before.
     [[nodiscard, gnu::noinline]] constexpr vec<3, double> sum() const noexcept {
         accurate_sum<false> all;
         for (int i = 0; i < count; ++i) {
@@ -37,7 +37,7 @@ struct term_list {
     }
 };
 
-// A motion in double words, every number of which is exact.
+// A motion in double words; all its numbers are exact.
 template <int N>
 struct motion_in_words {
     vec<N, exact_pair<double>> dx, du;
@@ -46,7 +46,7 @@ struct motion_in_words {
 
 // R² |Δu|² - |Δx × Δu|²: the discriminant of Lagrange's form. u = 2^-53.
 //
-// A component x of Δx × Δu adds up 14 terms, of which two are rounded products of low parts: with S = |Δx_j Δu_k| +
+// A component x of Δx × Δu adds up 14 terms. Two are rounded products of low parts: with S = |Δx_j Δu_k| +
 // |Δx_k Δu_j| it is off by 14³u³ S + 2u³ S < 2^-147.5 S. R² and |Δu|², of at most 15 terms, are off by 2^-147.2 of
 // themselves. As three doubles a sum of n terms has |middle| <= u |high| + n²u² S and |low| <= u |middle|. So a product
 // of two leaves out and rounds less than 8u³ of itself, and of x² less than 8u³ x² + 1600 u⁴ |x| S + 2^17 u⁵ S². D adds

@@ -152,7 +152,7 @@ template <moving B, class Observer>
         if (const auto f = started.finish(); f.certain) {
             observer(stage::filter);
             const encounter what = f.what();
-            if (!is_collision(what)) { // balls that part as well, of which x87 may be certain only now
+            if (!is_collision(what)) { // parting balls too: on x87 they may be certain only now
                 return std::nullopt;
             }
             if (what == encounter::overlap) {

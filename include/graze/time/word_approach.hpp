@@ -13,8 +13,8 @@
 namespace graze::inline v0_1::detail {
 
 // a b - c d. With M = |a b| + |c d|, and `low` the products of one high and one low part each, whose sizes add up to l:
-// all of the high parts is kept but 11u³ M; low takes 3 roundings, 3 more in adding it up, and leaves out the products
-// of low parts, at most u l: 7u l. The last sum but one rounds what is at most u |a b - c d| and l: u² |a b - c d|.
+// the high parts lose 11u³ M; low takes 3 roundings, 3 more in adding it up, and leaves out the products of low parts,
+// at most u l: 7u l. The last sum but one rounds a number of at most u |a b - c d| and l: u² |a b - c d|.
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline bounded_value<loose_word<Fused>>
 difference_of_products(const loose_word<Fused>& a, const loose_word<Fused>& b, const loose_word<Fused>& c,
