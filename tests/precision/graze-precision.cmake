@@ -11,7 +11,8 @@
 #     [INPUTS path...]        files of kept pairs, or folders of them; graze's own unless given
 #     [LIBRARIES target...]   what the types need
 #     [DEFINITIONS name...]   macros for their headers
-#     [PAIRS n] [SEED n] [THREADS n]
+#     [PAIRS n] [SEED n]      how many pairs of each family are drawn, and how: 400 and 1, and not with AS
+#     [THREADS n]
 #     [TOLERANCE p]           let the largest error exceed the accepted one by p percent; 0 unless given
 #     [LABELS label...]       of the tests
 #     [EXPECT_LOSS [flag...]] that nothing is lost is the failure; of flag sets, those with one of the flags
@@ -201,6 +202,12 @@ function(graze_add_precision_test name)
         if(NOT arg_AS MATCHES "/" OR arg_AS STREQUAL "/")
             message(FATAL_ERROR "${this_call}: AS ${arg_AS}: no variant/type, such as lagrange/double or /double")
         endif()
+        foreach(option IN ITEMS PAIRS SEED)
+            if(DEFINED arg_${option})
+                message(FATAL_ERROR "${this_call}: AS and ${option}: graze's own figures are of 400 pairs of each family, "
+                    "drawn with seed 1; figures of other pairs say nothing beside them")
+            endif()
+        endforeach()
         set(arg_ACCEPTED "${GRAZE_PRECISION_SOURCES}/accepted")
     elseif(NOT arg_ACCEPTED)
         message(FATAL_ERROR "${this_call}: ACCEPTED, a folder, or AS is missing")

@@ -34,6 +34,10 @@ refuse("INPUTS none.txt: no such file" "graze_add_precision_test(mine TYPES doub
 refuse("EXPECT_LOSS -ffast-math: no set of FLAGS has this flag"
     "graze_add_precision_test(mine TYPES double AS /double FLAGS \"-O2\" EXPECT_LOSS -ffast-math)")
 refuse("PAIRS many: a whole number above 0" "graze_add_precision_test(mine TYPES double AS /double PAIRS many)")
+foreach(option IN ITEMS PAIRS SEED)
+    refuse("AS and ${option}: graze's own figures are of 400 pairs"
+        "graze_add_precision_test(mine TYPES double AS /double ${option} 20)")
+endforeach()
 refuse("TOLERANCE little: a percentage" "graze_add_precision_test(mine TYPES double AS /double TOLERANCE little)")
 
 file(WRITE "${WORK}/plain.cpp" "#include <graze/precision/number_access.hpp>
