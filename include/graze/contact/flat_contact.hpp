@@ -63,7 +63,7 @@ template <bool Fused, int N, class T>
             path.take.exact(f.corner[i], at_point, c.point[i]);
         } else if (from != nullptr) {
             const auto point = sum_in_parts({f.x[i], 0}, negated(product_in_parts<Fused>(along, n[i])));
-            path.take({point.value, point.error, s.size + 0x1p-95 * (from->size * spread2)}, at_point, c.point[i]);
+            path.take({point.value, point.error, s.size + 0x1p-95 * (from->size() * spread2)}, at_point, c.point[i]);
         } else {
             const auto reach = product_in_parts<Fused>({side * f.r, 0}, unit);
             const auto point = sum_in_parts(s.position, negated(reach));
@@ -96,7 +96,7 @@ template <bool Fused, int N, class T>
             for (int i = 0; i < N; ++i) {
                 y.component[i] = sum_in_parts(y[i], negated(product_in_parts<Fused>(along, (*d)[i])));
             }
-            error = 4 * error + 0x1p-95 * y.size;
+            error = 4 * error + 0x1p-95 * y.size();
         }
     }
     const auto per_radius = inverse_in_parts<Fused>({f.r, 0});
@@ -107,7 +107,7 @@ template <bool Fused, int N, class T>
     const auto per_square = product_in_parts<Fused>(per_radius, per_radius);
     const auto change = product_in_parts<Fused>({2 * speed.value, 2 * speed.error}, per_square);
     // |y| = r: the change is at most 2V/r, off by 2V (error + 2^-98 size)/r² and some u² of it.
-    const double relative = (error + 0x1p-97 * y.size) * per_radius.value + 0x1p-99;
+    const double relative = (error + 0x1p-97 * y.size()) * per_radius.value + 0x1p-99;
     for (int i = 0; i < N; ++i) {
         const auto s = path.at(i);
         path.take_position(s, i, wall_component::position, c.position[i]);
@@ -128,14 +128,14 @@ template <bool Fused, int N, class T>
                 if (corner == 3) {
                     const auto edge = difference_in_parts<N>(exact_components<N>(f.corner), -f.edge[0]);
                     const auto far = difference_in_parts<N>(edge, -f.edge[1]);
-                    path.take({far[i].value, far[i].error, 0x1p-103 * far.size}, at_point, c.point[i]);
+                    path.take({far[i].value, far[i].error, 0x1p-103 * far.size()}, at_point, c.point[i]);
                     continue;
                 }
             }
             path.take.sum(f.corner[i], corner == 0 ? 0 : f.edge[corner - 1][i], at_point, c.point[i]);
         } else {
             const auto point = sum_in_parts(s.position, negated(y[i]));
-            path.take({point.value, point.error, s.error + s.size + error + 0x1p-100 * y.size}, at_point, c.point[i]);
+            path.take({point.value, point.error, s.error + s.size + error + 0x1p-100 * y.size()}, at_point, c.point[i]);
         }
     }
 }
@@ -164,11 +164,11 @@ struct flat_contact_near {
             const auto from = difference_in_parts<N>(f.x, f.corner);
             auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(kind, f), f.r, time);
             if (time == 0) {
-                touch.time = {0, 0, 0,
-                              touch.length.spread < 0x1p8 && absolute(touch.speed.value) > 0x1p-32 * V * touch.n.size};
+                touch.time = {
+                    0, 0, 0, touch.length.spread < 0x1p8 && absolute(touch.speed.value) > 0x1p-32 * V * touch.n.size()};
                 take.exact(0, 0, c->time);
             }
-            if (!(touch.time.good && are_moderate(size, V, touch.n.size, time == 0 ? 1.0 : time))) [[unlikely]] {
+            if (!(touch.time.good && are_moderate(size, V, touch.n.size(), time == 0 ? 1.0 : time))) [[unlikely]] {
                 return all_components;
             }
             if (time != 0) {
@@ -191,7 +191,7 @@ struct flat_contact_near {
         if (!is_edge) {
             t = touch_corner<Fused, N>(from, f.u, f.r, time);
         }
-        if (!(t.good && are_moderate(size + from.size, V, is_edge ? d.size : 1.0, time, f.r))) [[unlikely]] {
+        if (!(t.good && are_moderate(size + from.size(), V, is_edge ? d.size() : 1.0, time, f.r))) [[unlikely]] {
             return all_components;
         }
         take((*clock)(t.bounds()), 0, c->time);
@@ -199,7 +199,7 @@ struct flat_contact_near {
         for (int i = 0; i < N; ++i) {
             y.component[i].error += f.u[i] * t.low;
         }
-        take_round_contact<Fused, N, T>(*c, {f, t, take}, y, 1.01 * V * t.error + 0x1p-100 * y.size,
+        take_round_contact<Fused, N, T>(*c, {f, t, take}, y, 1.01 * V * t.error + 0x1p-100 * y.size(),
                                         is_edge ? &d : nullptr, from_corner, V);
         return take.open_components();
     }

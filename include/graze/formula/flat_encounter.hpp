@@ -74,7 +74,7 @@ class flat_decision : public flat_entry<N, T, Judge> {
                 return {true, encounter::graze, near.where, near.index};
             }
         }
-        const int from_slab = judge_(way_clearance{}, way_);
+        const int from_slab = clearance_of_plane();
         if (from_slab == 0 || from_slab == 1) {
             return {true, encounter::hit, none};
         }
@@ -93,6 +93,7 @@ class flat_decision : public flat_entry<N, T, Judge> {
     using sight::along_way;
     using sight::approach;
     using sight::clearance_of;
+    using sight::clearance_of_plane;
     using sight::discriminant;
     using sight::inside;
     using sight::judge_;
@@ -128,7 +129,7 @@ class flat_decision : public flat_entry<N, T, Judge> {
         if (h >= 0) {
             return {true, encounter::recede};
         }
-        if (judge_(way_clearance{}, way_) == 1) {
+        if (clearance_of_plane() == 1) {
             return {true, encounter::miss};
         }
         const int c = clearance_of(now);

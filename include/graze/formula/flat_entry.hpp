@@ -53,6 +53,7 @@ class flat_entry : public flat_sight<N, T, Judge> {
   protected:
     using sight = flat_sight<N, T, Judge>;
     using sight::borders;
+    using sight::clearance_of_plane;
     using sight::inside;
     using sight::judge_;
     using sight::m_;
@@ -103,7 +104,7 @@ class flat_entry : public flat_sight<N, T, Judge> {
         if (speed * height != -1) {
             return no;
         }
-        verdict v = all_of(judge_(way_clearance{}, way_));
+        verdict v = all_of(clearance_of_plane());
         v = v == shared ? alone : v; // on the face now
         if constexpr (Judge::has_roots) {
             const T sense(speed < 0 ? T(-1) : T(1));

@@ -40,7 +40,7 @@ class flat_sight {
 
     // Whether the centre is nearer than r now; negative if it is, open_sign if that is not certain.
     [[nodiscard]] constexpr int clearance() const {
-        const int of_plane = judge_(way_clearance{}, way_);
+        const int of_plane = clearance_of_plane();
         return of_plane == 0 || of_plane == 1 ? of_plane : clearance_of(nearest_now());
     }
 
@@ -50,6 +50,15 @@ class flat_sight {
             return judge_.scope();
         } else {
             return nullptr;
+        }
+    }
+
+    // A judge that can do more with the motion is given it.
+    [[nodiscard, gnu::always_inline]] constexpr int clearance_of_plane() const {
+        if constexpr (requires { judge_(way_clearance{}, way_, m_); }) {
+            return judge_(way_clearance{}, way_, m_);
+        } else {
+            return judge_(way_clearance{}, way_);
         }
     }
 
@@ -163,7 +172,7 @@ class flat_sight {
             return open_sign;
         }
         if (f.where == feature::face) {
-            return judge_(way_clearance{}, way_);
+            return clearance_of_plane();
         }
         return of_feature<border_c, corner_c>(f, seen_from_feature(f));
     }

@@ -103,13 +103,40 @@ struct filtered_judge {
         }
         return sign;
     }
+    // The clearance from the plane, with the motion: near contact its terms are r² n·n, far below what the scales
+    // allow.
+    [[nodiscard, gnu::always_inline]] constexpr int operator()(way_clearance f, const flat_way<N, double>& x,
+                                                               const flat_motion<N, double>& m) const noexcept {
+        const int sign = (*this)(f, x);
+        if (sign == open && !std::is_constant_evaluated()) [[unlikely]] {
+            return by_values(m, error(f, x));
+        }
+        return sign;
+    }
 
   private:
     // Losses by flushing to zero are below 2^-150 of the product of the scales (usable): 2^-100 of it is enough.
     template <class F>
     [[nodiscard, gnu::noinline]] int by_values(F f, const flat_edge<N, double>& x) const noexcept {
-        const bounded_double<52> y = f(with_bounds<flat_bounds<N, T>>(x, scales));
-        const int sign = y.certain_sign(0x1p-48 * error(f, x));
+        return certain(f(with_bounds<flat_bounds<N, T>>(x, scales)), error(f, x));
+    }
+    // What is not exact of the motion is off by one rounding, from 64-bit integers by two.
+    [[nodiscard, gnu::noinline]] int by_values(const flat_motion<N, double>& m, double by_scales) const noexcept {
+        using number = bounded_double<52>;
+        constexpr double of_input = is_wide_integer<T> ? 3 * error_bound::unit : 0;
+        constexpr double of_difference = is_wide_integer<T> ? of_input : error_bound::unit;
+        const auto with = [](const vec<N, double>& x, double part) {
+            return make_vec<N>([&](int i) { return number(x[i], part * magnitude_of(x[i])); });
+        };
+        std::array<vec<N, number>, N - 1> e{};
+        for (std::size_t i = 0; i < e.size(); ++i) {
+            e[i] = with(m.e[i], of_input);
+        }
+        const auto w = with(m.w, of_difference);
+        return certain(plane_clearance{}(plane_motion{w, w, face_normal(e), number(m.r, of_input * m.r)}), by_scales);
+    }
+    [[nodiscard]] int certain(const bounded_double<52>& x, double by_scales) const noexcept {
+        const int sign = x.certain_sign(0x1p-48 * by_scales);
         refined = refined || sign != 0;
         return sign != 0 ? sign : open;
     }

@@ -9,7 +9,7 @@
 namespace graze::inline v0_1::detail {
 
 // Around τ = (|w·n| - r|n|)/|u·n| of a ball that certainly touches the plane at a later time, from values whose errors
-// are at most those given; r is exact. Unknown where the doubles leave it open.
+// are at most those given; r is exact. Unknown where the doubles leave it open or tell little.
 //
 // u = 2^-52, in any rounding mode, contracted or not. gap = |w·n| - r|n| is off by error_height + r error_length and
 // the roundings of r|n| and of the difference, u r|n| + u gap. The quotient t̂ is checked: |t̂ |u·n| - gap| <= 2^-50 gap.
@@ -30,7 +30,8 @@ namespace graze::inline v0_1::detail {
         return {};
     }
     const double off = error_height + r * error_length + 0x1p-52 * reach + time * error_speed;
-    return {time, 1.5 * off * per_rate + 0x1p-47 * time};
+    const enclosure found{time, 1.5 * off * per_rate + 0x1p-47 * time};
+    return found.error < 0x1p-10 * time ? found : enclosure{}; // worse near contact
 }
 
 // The same for a ball that does not touch now but certainly will, from what is known of the plane.

@@ -100,7 +100,7 @@ struct flat_time_near {
         // size: of the normal or the direction, where there is one.
         const auto checked = [&](const flat_time& t, double size) noexcept {
             return flat_time{t.high, t.low, t.error,
-                             all_hold(t.good, are_moderate(from.size + f.r, speed, size, time))};
+                             all_hold(t.good, are_moderate(from.size() + f.r, speed, size, time))};
         };
         if (e->kind == event_kind::corner) {
             return checked(touch_corner<Fused, N>(from, f.u, f.r, time), 1);
@@ -108,11 +108,11 @@ struct flat_time_near {
         if constexpr (N == 3) {
             if (is_edge) {
                 const auto d = edge_in_parts<3>(f, e->index);
-                return checked(touch_edge<Fused>(from, f.u, d, f.r, time), d.size);
+                return checked(touch_edge<Fused>(from, f.u, d, f.r, time), d.size());
             }
         }
         const auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(e->kind, f), f.r, time);
-        return checked(touch.time, touch.n.size);
+        return checked(touch.time, touch.n.size());
     }
 };
 
