@@ -110,17 +110,18 @@ void compare_rounding(const std::string& pairs_name, const pairs& p) {
 
 // By integers alone: what one component costs that doubles leave in doubt, and all of them.
 void compare_exact(const std::string& pairs_name, const pairs& p) {
-    using graze::detail::part;
-    const auto one = [](part first) { return graze::detail::parts{1} << static_cast<int>(first); };
+    using part = graze::detail::contact_component;
+    using graze::detail::component_set;
+    const auto one = [](part first) { return component_set{1} << static_cast<int>(first); };
     const struct {
         const char* name;
-        graze::detail::parts wanted;
+        component_set wanted;
     } kinds[] = {{"graze, time", 1},
                  {"graze, one of a position", one(part::position_a)},
                  {"graze, one of a velocity", one(part::velocity_a)},
-                 {"graze, everything", graze::detail::all_parts}};
+                 {"graze, everything", graze::detail::all_components}};
     for (const auto& kind : kinds) {
-        const graze::detail::parts wanted = kind.wanted;
+        const component_set wanted = kind.wanted;
         compare_contact<graze::contact<3>>(
             "a contact by integers, " + pairs_name, kind.name, p.size(), [&p, wanted](auto& x, std::size_t i) {
                 graze::detail::complete(x, wanted, graze::encounter::hit, p.a[i], p.b[i]);

@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
     speed::register_orders();
     speed::register_contacts();
     speed::register_flights();
+    speed::register_flat();
 #ifdef GRAZE_SPEED_CGAL
     speed::register_cgal();
 #endif

@@ -116,6 +116,7 @@ void register_decisions();
 void register_orders();
 void register_contacts();
 void register_flights();
+void register_flat();
 void register_cgal(); // where CGAL is there
 
 } // namespace speed
