@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+namespace certified_points_test {
+
 using namespace compare;
 using namespace compare::run;
 
@@ -83,3 +85,5 @@ TEST_CASE("a certified point meets a wall on its other side too") {
     CHECK(found.events[0].who.b == 0);
     CHECK(found.events[5].who.b == 0);
 }
+
+} // namespace certified_points_test

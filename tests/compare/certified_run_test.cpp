@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+namespace certified_run_test {
+
 using namespace compare;
 using namespace compare::run;
 
@@ -406,3 +408,5 @@ TEST_CASE("a certified ball meets a triangle's slanted edge and its corners") {
     CHECK(fall(R"(["9/4", "9/4", 5])", "[0, 2]").events.size() == 1);
     CHECK(fall(R"([1, 1, 5])", "[0, 1, 2]").events.size() == 1); // the face
 }
+
+} // namespace certified_run_test

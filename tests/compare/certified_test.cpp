@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+namespace certified_test {
+
 using compare::exact;
 using compare::run::certified;
 using compare::run::mpfi_interval;
@@ -180,3 +182,5 @@ TEST_CASE("a rational that is too long goes on as an interval around it") {
     CHECK(contains(x, value));
     CHECK(x.sign() == 1);
 }
+
+} // namespace certified_test

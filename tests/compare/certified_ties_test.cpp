@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+namespace certified_ties_test {
+
 using namespace compare;
 using namespace compare::run;
 
@@ -235,3 +237,5 @@ TEST_CASE("Galperin's billiard, a mass of a million") {
     CHECK(near_double(found.balls[0].velocity[0]) ==
           doctest::Approx(static_cast<double>(-1000 * sin(angle))).epsilon(1e-14));
 }
+
+} // namespace certified_ties_test

@@ -5,6 +5,8 @@
 
 #include <string>
 
+namespace event_check_test {
+
 using namespace compare;
 using namespace compare::run;
 
@@ -250,3 +252,5 @@ TEST_CASE("clearances of a triangle") {
     CHECK(is(nearest(9, -1, 2), 4, 0));  // a corner
     CHECK(is(nearest(-1, -1, 0), 0, 0)); // and another one
 }
+
+} // namespace event_check_test

@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <string>
 
+namespace exact_text_test {
+
 using namespace compare;
 
 namespace {
@@ -182,3 +184,5 @@ TEST_CASE("doubles are held exactly, and the middle of two neighbours goes to th
     CHECK_THROWS_AS(static_cast<void>(exact_of(HUGE_VAL)), std::domain_error);
     CHECK_THROWS_AS(static_cast<void>(exact_of(std::nan(""))), std::domain_error);
 }
+
+} // namespace exact_text_test

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+namespace integer_line_test {
+
 using compare::run::bounce_head_on;
 using compare::run::bounce_off;
 using compare::run::integer_line;
@@ -85,3 +87,5 @@ TEST_CASE("a mirror keeps its line, and what is not head on is left alone") {
     CHECK(!bounce_off<2>(b, 1, {{9, 0}}, {{1, 1}}));
     CHECK(!bounce_off<2>(b, 1, {{9, 0}}, {{0, 1}})); // along the plane
 }
+
+} // namespace integer_line_test

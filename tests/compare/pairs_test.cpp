@@ -12,6 +12,8 @@
 #include <set>
 #include <tuple>
 
+namespace pairs_test {
+
 using namespace compare;
 
 namespace {
@@ -177,3 +179,5 @@ TEST_CASE("a scene with very many pairs is sampled without deciding all, and not
     CHECK_THROWS_WITH_AS(static_cast<void>(pairs_of<2>(scene, "line", every_pair, 3)), doctest::Contains("--all"),
                          input_error);
 }
+
+} // namespace pairs_test

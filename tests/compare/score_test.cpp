@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string>
 
+namespace score_test {
+
 using namespace compare;
 using graze::encounter;
 
@@ -207,3 +209,5 @@ TEST_CASE("the wrong and the worst pairs are kept, by number, with what was said
     CHECK(find("time", "largest").pair == 9);
     CHECK(find("time", "largest").said == "no finite number");
 }
+
+} // namespace score_test

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace statistics_test {
+
 using namespace compare;
 
 namespace {
@@ -78,3 +80,5 @@ TEST_CASE("defects") {
     CHECK(s.median == 0.25);
     CHECK(s.largest == 0.5);
 }
+
+} // namespace statistics_test

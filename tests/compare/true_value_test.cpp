@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace true_value_test {
+
 using namespace compare;
 
 namespace {
@@ -102,3 +104,5 @@ TEST_CASE("distances") {
     CHECK_FALSE(rounds_correctly(wide(std::nextafter(std::sqrt(2.0), 2.0)), root));
     CHECK(rounds_correctly(wide(wide(0.5) + ldexp(wide(1), -100)), half));
 }
+
+} // namespace true_value_test

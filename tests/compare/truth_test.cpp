@@ -11,6 +11,8 @@
 #include <map>
 #include <string>
 
+namespace truth_test {
+
 using namespace compare;
 
 namespace {
@@ -164,3 +166,5 @@ TEST_CASE("any first part of a group holds every stratum in its share") {
     const auto share = static_cast<double>(g.information.encounters.at("hit")) / 4;
     CHECK(static_cast<double>(hits) == doctest::Approx(share).epsilon(0.05));
 }
+
+} // namespace truth_test

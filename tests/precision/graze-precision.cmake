@@ -54,6 +54,7 @@ function(graze_precision_suite_library)
     target_link_libraries(graze_precision_suite PUBLIC graze::graze
         "${GRAZE_gmpxx_LIBRARY}" "${GRAZE_gmp_LIBRARY}" Threads::Threads)
     target_compile_options(graze_precision_suite PRIVATE -O1 -fno-fast-math -ffp-contract=off)
+    set_target_properties(graze_precision_suite PROPERTIES UNITY_BUILD ON) # their headers take longer than they do
     # All formulas in a number whose time is GMP's: of optimising them only the compiler would tell.
     set_property(SOURCE "${GRAZE_PRECISION_SOURCES}/reference.cpp" APPEND PROPERTY COMPILE_OPTIONS -O0)
     if(TARGET graze_warnings) # the project's own build
@@ -79,6 +80,7 @@ function(graze_hard_case_search_libraries)
         target_include_directories(graze_precision_${part} SYSTEM PRIVATE "${GRAZE_gmp_INCLUDE_DIR}")
         target_link_libraries(graze_precision_${part} PUBLIC ${${part}_links})
         target_compile_options(graze_precision_${part} PRIVATE -O1 -fno-fast-math -ffp-contract=off)
+        set_target_properties(graze_precision_${part} PROPERTIES UNITY_BUILD ON)
         if(TARGET graze_warnings)
             target_link_libraries(graze_precision_${part} PRIVATE graze_warnings)
         endif()
