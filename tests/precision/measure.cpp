@@ -252,6 +252,14 @@ all_figures measure(const graze::precision::subjects& formulas, const plan& what
     for (std::thread& t : others) {
         t.join();
     }
+    for (const family& f : what.families) {
+        for (const auto& [k, measured] : all) {
+            if (k.family == f.name && measured.pairs > f.pairs.size()) { // some pair was asked twice
+                throw std::runtime_error("two formulas are called " + k.variant +
+                                         ": the name tells their figures apart");
+            }
+        }
+    }
     return all;
 }
 

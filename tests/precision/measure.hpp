@@ -36,7 +36,8 @@ struct plan {
     unsigned threads = 1;
 };
 
-// Throws std::runtime_error where two number types have one name, and so their figures.
+// Throws std::runtime_error where two number types have one name, or two formulas about the same pairs, and so their
+// figures.
 [[nodiscard]] all_figures measure(const graze::precision::subjects& formulas, const plan& what);
 
 // One pair (for an order, two), as the type holds it. Nothing where the type holds no such pair or the formula is not

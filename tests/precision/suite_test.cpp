@@ -190,6 +190,17 @@ TEST_CASE("whatever a formula is called, its figures are read as they were writt
     CHECK(graze::precision::word_of("lagrange.stable") == "lagrange.stable");
 }
 
+TEST_CASE("two formulas of one name are refused") {
+    const precision::plan some{{{"some", {pair<2>{{{0, 0}, {1, 0}, 1}, graze::ball<2>{{9, 0}, {0, 0}, 1}}}}}};
+    graze::precision::subjects list;
+    graze::precision::add<discriminant_of_motion, double>(list);
+    graze::precision::add<odd, double>(list);
+    CHECK(precision::measure(list, some).size() == 2);
+    list.back()->variant = list.front()->variant;
+    CHECK_THROWS_WITH_AS(static_cast<void>(precision::measure(list, some)),
+                         doctest::Contains("two formulas are called"), std::runtime_error);
+}
+
 TEST_CASE("two number types of one name are refused") {
     graze::precision::subjects list;
     graze::precision::add<discriminant_of_motion, double>(list);
