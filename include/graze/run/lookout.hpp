@@ -80,6 +80,14 @@ class lookout {
     // changed. image_of(i, b): the image of b, the i-th on the list, in a scene that has a period.
     template <class Image, class F>
     void for_each_own(body a, std::span<const body> list, Image image_of, bool has_changed, F f) const {
+        if (scene_.balls() > fit_into_cache) {
+            for (const body b : list) {
+                if (b < scene_.balls()) {
+                    __builtin_prefetch(&changed_[b]);
+                    scene_.fetch(b);
+                }
+            }
+        }
         for (std::size_t i = 0; i < list.size(); ++i) {
             const body b = list[i];
             if (has_changed || b >= scene_.balls() || changed_[b] < changed_[a]) {

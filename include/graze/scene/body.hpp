@@ -54,6 +54,9 @@ class image_index {
     std::uint64_t first_two_ = 0, third_ = 0;
 };
 
+// Of more balls what is needed next is fetched from memory while something else is done.
+inline constexpr std::size_t fit_into_cache = 4000;
+
 // Body a, a ball, meets that image of body b not before lower, unless one of the two has had another event since
 // (counts).
 struct predicted {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/linear/vec.hpp>
+#include <graze/scene/body.hpp>
 
 #include <algorithm>
 #include <array>
@@ -48,11 +49,6 @@ struct cell_level {
         const std::int64_t n = around[static_cast<std::size_t>(axis)];
         return n == endless ? along(x, axis) : std::clamp<std::int64_t>(along(x, axis), 0, n - 1);
     }
-    // The period in which that cell is.
-    [[nodiscard]] std::int32_t period_of(std::int64_t coordinate, int axis) const noexcept {
-        const std::int64_t n = around[static_cast<std::size_t>(axis)];
-        return n == endless ? 0 : static_cast<std::int32_t>((coordinate - (coordinate < 0 ? n - 1 : 0)) / n);
-    }
     // Cells side by side along the first axis have their lists side by side.
     [[nodiscard]] std::uint64_t key_of(const cell& c) const noexcept {
         std::uint64_t key = first_key();
@@ -61,13 +57,48 @@ struct cell_level {
         }
         return key;
     }
-    // The sum of these.
+    // f(from, image, key) for each cell in the box: the cell with that key holds that image of its points, and x is at
+    // `from` as seen from the points.
+    template <class F>
+    void for_each(const cell& low, const cell& high, const vec<N, double>& x, const vec<N, double>& period, F f) const {
+        walk<N - 1>(low, high, x, period, {}, first_key(), f);
+    }
+
+  private:
+    // The key is the sum of these.
     [[nodiscard]] std::uint64_t first_key() const noexcept {
         return static_cast<std::uint64_t>(power) * 0xd6e8feb86659fd93U;
     }
     [[nodiscard]] static std::uint64_t key_along(std::int64_t coordinate, int axis) noexcept {
         constexpr std::array<std::uint64_t, 3> factors = {1, 0x9e3779b97f4a7c55U, 0xc2b2ae3d27d4eb4fU};
         return static_cast<std::uint64_t>(coordinate) * factors[static_cast<std::size_t>(axis)];
+    }
+    // The period in which that cell is.
+    [[nodiscard]] std::int32_t period_of(std::int64_t coordinate, int axis) const noexcept {
+        const std::int64_t n = around[static_cast<std::size_t>(axis)];
+        return n == endless ? 0 : static_cast<std::int32_t>((coordinate - (coordinate < 0 ? n - 1 : 0)) / n);
+    }
+    // Along this axis and those before.
+    template <int Axis, class F>
+    [[gnu::always_inline]] void walk(const cell& low, const cell& high, vec<N, double> from,
+                                     const vec<N, double>& period, whole_periods image, std::uint64_t key, F& f) const {
+        constexpr auto k = static_cast<std::size_t>(Axis);
+        const double x = from[Axis];
+        image[k] = period_of(low[k], Axis);
+        std::int64_t at = low[k] - (image[k] != 0 ? image[k] * around[k] : 0);
+        from.component[Axis] = x - image[k] * period[Axis];
+        for (std::int64_t left = high[k] - low[k]; left >= 0; --left) {
+            const std::uint64_t there = key + key_along(at, Axis);
+            if constexpr (Axis == 0) {
+                f(from, image, there);
+            } else {
+                walk<Axis - 1>(low, high, from, period, image, there, f);
+            }
+            if (++at == around[k]) {
+                at = 0;
+                from.component[Axis] = x - ++image[k] * period[Axis];
+            }
+        }
     }
 };
 

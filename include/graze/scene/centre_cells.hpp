@@ -99,6 +99,14 @@ class centre_cells {
         int power = out;
     };
 
+    // A place in a cell's list: x as seen from there is at `from`.
+    struct cursor {
+        point from;
+        image_index image;
+        std::uint64_t key;
+        body next;
+    };
+
     // The smallest with reach <= base 2^power.
     [[nodiscard]] int power_of(double reach) const noexcept {
         int power = 0;
@@ -112,11 +120,8 @@ class centre_cells {
         return power;
     }
     [[nodiscard]] std::size_t find(int power) const noexcept {
-        std::size_t i = 0;
-        while (i < levels_.size() && levels_[i].power != power) {
-            ++i;
-        }
-        return i;
+        const auto is_it = [power](const level& l) { return l.power == power; };
+        return static_cast<std::size_t>(std::find_if(levels_.begin(), levels_.end(), is_it) - levels_.begin());
     }
     // f(b, image) for those of its images that may be near.
     template <class F>
@@ -160,42 +165,55 @@ class centre_cells {
             }
             return;
         }
-        walk<N - 1>(l, low, high, x, {}, l.first_key(), [&](const point& from, const whole_periods& image, auto key) {
-            for (body b = heads_[key & (heads_.size() - 1)]; b != no_body; b = entries_[b].next) {
-                if (const entry& e = entries_[b]; e.key == key) {
-                    const double far = (own + e.reach) * (1 + 0x1p-30) + slack_;
-                    if (!(graze::squared_norm(e.at - from) > far * far)) {
-                        f(b, image);
-                    }
+        if (entries_.size() <= fit_into_cache) {
+            l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
+                for (body b = heads_[key & (heads_.size() - 1)]; b != no_body; b = entries_[b].next) {
+                    offer({from, image, key, b}, own, f);
+                }
+            });
+            return;
+        }
+        std::array<cursor, 32> lists;
+        std::size_t count = 0;
+        l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
+            if (const body first = heads_[key & (heads_.size() - 1)]; first != no_body) {
+                __builtin_prefetch(&entries_[first]);
+                lists[count++] = {from, image, key, first};
+                if (count == lists.size()) {
+                    go_along(lists, count, own, f);
                 }
             }
         });
+        go_along(lists, count, own, f);
     }
-    // f(from, image, key) for each cell in the box, along this axis and those before: the cell with that key holds that
-    // image of its points, and x is at `from` as seen from the points.
-    template <int Axis, class F>
-    [[gnu::always_inline]] void walk(const level& l, const cell& low, const cell& high, point from, whole_periods image,
-                                     std::uint64_t key, F f) const {
-        constexpr auto k = static_cast<std::size_t>(Axis);
-        const double x = from[Axis];
-        const std::int64_t around = l.around[k];
-        image[k] = l.period_of(low[k], Axis);
-        std::int64_t at = low[k] - (image[k] != 0 ? image[k] * around : 0);
-        from.component[Axis] = x - image[k] * period_[Axis];
-        for (std::int64_t left = high[k] - low[k]; left >= 0; --left) {
-            const std::uint64_t there = key + l.key_along(at, Axis);
-            if constexpr (Axis == 0) {
-                f(from, image, there);
-            } else {
-                walk<Axis - 1>(l, low, high, from, image, there, f);
-            }
-            if (++at == around) {
-                at = 0;
-                from.component[Axis] = x - ++image[k] * period_[Axis];
+    // f(b, image) if b is in that cell and near.
+    template <class F>
+    [[gnu::always_inline]] void offer(const cursor& c, double own, F& f) const {
+        if (const entry& e = entries_[c.next]; e.key == c.key) {
+            const double far = (own + e.reach) * (1 + 0x1p-30) + slack_;
+            if (!(graze::squared_norm(e.at - c.from) > far * far)) {
+                f(c.next, c.image);
             }
         }
     }
-
+    // f(b, image) for those in the lists, along all of these at once: what is next on one is fetched meanwhile.
+    template <class Lists, class F>
+    void go_along(Lists& lists, std::size_t& count, double own, F& f) const {
+        while (count > 0) {
+            for (std::size_t i = 0; i < count;) {
+                cursor& c = lists[i];
+                offer(c, own, f);
+                const body next = entries_[c.next].next;
+                if (next == no_body) {
+                    c = lists[--count];
+                } else {
+                    c.next = next;
+                    __builtin_prefetch(&entries_[next]);
+                    ++i;
+                }
+            }
+        }
+    }
     std::vector<entry> entries_;
     std::vector<body> heads_; // of the cells' lists, some of which are of several cells; a power of two
     std::vector<level> levels_;
