@@ -3,7 +3,7 @@ set(parts exact_text_test.cpp score_test.cpp statistics_test.cpp true_value_test
 if(TARGET graze_number_gmp)
     list(APPEND parts pairs_test.cpp truth_test.cpp)
 endif()
-graze_add_tests_together(compare_parts_test compare SOURCES ${parts}
+graze_add_tests_together(compare_parts_test compare_*_test SOURCES ${parts}
     LIBRARIES compare_engine $<TARGET_NAME_IF_EXISTS:graze_number_gmp>)
 target_include_directories(compare_parts_test PRIVATE "${PROJECT_SOURCE_DIR}/tests")
 graze_add_test(compare_results_test SOURCES results_test.cpp report_sample.cpp LIBRARIES compare_engine compare_report)

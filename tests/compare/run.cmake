@@ -4,7 +4,7 @@ set(certified certified_test.cpp certified_run_test.cpp certified_ties_test.cpp 
 if(TARGET graze_exact_runs AND TARGET graze_number_gmp)
     list(APPEND certified certified_points_test.cpp)
 endif()
-graze_add_tests_together(compare_certified_tests compare SOURCES ${certified} LIBRARIES compare_certified
+graze_add_tests_together(compare_certified_tests compare_*_test SOURCES ${certified} LIBRARIES compare_certified
     $<TARGET_NAME_IF_EXISTS:graze_exact_runs> $<TARGET_NAME_IF_EXISTS:graze_number_gmp> rapidcheck)
 target_compile_definitions(compare_certified_tests PRIVATE
     "GRAZE_SCENES=\"${PROJECT_SOURCE_DIR}/examples/scenes\"")

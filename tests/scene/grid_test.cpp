@@ -12,6 +12,8 @@
 #include <limits>
 #include <random>
 
+namespace grid_test {
+
 namespace {
 
 template <int N>
@@ -262,3 +264,5 @@ TEST_CASE("velocities turned round bring a run back") {
         }
     }));
 }
+
+} // namespace grid_test

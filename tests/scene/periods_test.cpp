@@ -12,6 +12,8 @@
 #include <cmath>
 #include <random>
 
+namespace periods_test {
+
 namespace {
 
 using plain = graze::plain_mechanics<2, double>;
@@ -211,3 +213,5 @@ TEST_CASE("in exact numbers the run is that of copies, to the last digit") {
     }));
     CHECK(total > 100);
 }
+
+} // namespace periods_test

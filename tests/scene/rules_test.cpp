@@ -14,6 +14,8 @@
 #include <limits>
 #include <random>
 
+namespace rules_test {
+
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -448,3 +450,5 @@ TEST_CASE("a point in a box with slanted sides stays in it, into the corners too
         RC_ASSERT(graze::squared_norm(f.position) < 1.01 * (1 + k * k));
     }));
 }
+
+} // namespace rules_test
