@@ -55,14 +55,15 @@ struct filtered_plane {
         constexpr double k = std::max(height_error, speed_error) * (1 + 0x1p-20);
         const double departs = height * speed;
         const double clear = clearance();
-        const unsigned parting = departs > k * both ? 1 : 0;
-        const unsigned nearing = departs < -k * both ? 1 : 0;
+        const unsigned sure = magnitude_of(departs) > k * both ? 1 : 0;
         const unsigned known = magnitude_of(clear) > clearance_error * (size * size) ? 1 : 0;
-        const unsigned answers = static_cast<unsigned>(encounter::hit) |
-                                 static_cast<unsigned>(encounter::overlap) << 4 |
-                                 static_cast<unsigned>(encounter::recede) * 0x1100U;
-        const unsigned index = parting * 8 + (clear < 0 ? 4 : 0);
-        return {(in_range & (parting | (nearing & known))) != 0, static_cast<encounter>(answers >> index & 7)};
+        const auto nears = static_cast<unsigned>(std::bit_cast<std::uint64_t>(departs) >> 63);
+        const auto inside = static_cast<unsigned>(std::bit_cast<std::uint64_t>(clear) >> 63);
+        constexpr unsigned answers = static_cast<unsigned>(encounter::recede) * 0x11U |
+                                     static_cast<unsigned>(encounter::hit) << 8 |
+                                     static_cast<unsigned>(encounter::overlap) << 12;
+        return {(in_range & sure & ((nears ^ 1) | known)) != 0,
+                static_cast<encounter>(answers >> (8 * nears + 4 * inside) & 7)};
     }
     // Whether the clearance is negative. Velocities don't matter; but if they are zero, or read as zero, so is `both`.
     [[nodiscard]] constexpr answer overlap(const ball<N, T>& b) const noexcept {
