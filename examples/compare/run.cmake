@@ -8,7 +8,7 @@ target_compile_definitions(compare_program PRIVATE COMPARE_HAS_MPFI=1)
 
 # The proof, and how a type's run is judged by it.
 set(certified run/certified.cpp run/certified_flight.cpp run/certified_run.cpp run/certified_time.cpp run/clearance.cpp
-    run/event_check.cpp run/integer_line.cpp run/mpfi_interval.cpp)
+    run/event_check.cpp run/extent.cpp run/integer_line.cpp run/mpfi_interval.cpp)
 add_library(compare_certified STATIC ${certified} run/event_place.cpp run/event_sides.cpp run/event_ways.cpp
     run/sequence.cpp)
 target_link_libraries(compare_certified PUBLIC compare_engine graze_number_mpfi PRIVATE graze_warnings)

@@ -145,6 +145,44 @@ TEST_CASE("the true course of two balls and a plane passes") {
     CHECK(said([&] { check.end_of_all(); }).empty());
 }
 
+TEST_CASE("in a scene that has a period images are met, none is left out, and places are whole periods apart") {
+    owned_scene<2, certified> ring;
+    ring.balls.push_back(ball_of(at(number(0), number(0)), at(number(1), number(0)), number(1)));
+    ring.balls.push_back(ball_of(at(number(25), number(0)), at(number(0), number(0)), number(1)));
+    ring.period = at(number(10), number(0));
+    // The first one gives its velocity to the second one, which comes round and gives it back.
+    const plane_flight a = flight_of(number(3), number(0), number(3)), b = flight_of(number(5), number(1), number(3));
+    const auto says = [&](const certified& x, const certified& t) {
+        event_check<2> check(ring);
+        check.event({ball, 0, 1}, number(3), a, &b);
+        const plane_flight c = flight_of(number(3), number(1), t), d = flight_of(x, number(0), t);
+        return said([&] { check.event({ball, 0, 1}, t, c, &d); });
+    };
+    CHECK(says(number(1), number(9)).empty());
+    CHECK(says(number(-29), number(9)).empty());
+    CHECK(holds(says(number(2), number(9)), "laws of collision"));
+    CHECK(holds(says(number(0), number(8)), "do not touch"));
+    CHECK(holds(says(number(2), number(10)), "inside each other"));
+    event_check<2> check(ring);
+    check.event({ball, 0, 1}, number(3), a, &b);
+    CHECK(said([&] { check.end(number(9)); }).empty());
+    CHECK(holds(said([&] { check.end(number(10)); }), "met before that"));
+
+    owned_scene<2, certified> gate; // at 6, of which an image is at -4
+    gate.balls.push_back(ball_of(at(number(0), number(0)), at(number(-1), number(0)), number(1)));
+    gate.walls.push_back({at(number(6), number(-1)), {at(number(0), number(2))}});
+    gate.period = ring.period;
+    event_check<2> passes(gate), turns(gate), strays(gate);
+    CHECK(said([&] { passes.end(number(3)); }).empty());
+    CHECK(holds(said([&] { passes.end(number(4)); }), "met before that"));
+    const plane_flight back = flight_of(number(7), number(1), number(3)),
+                       aside = flight_of(number(8), number(1), number(3));
+    CHECK(said([&] { turns.event({wall, 0, 0}, number(3), back, nullptr); }).empty());
+    CHECK(said([&] { turns.end(number(11)); }).empty());
+    CHECK(holds(said([&] { turns.end(number(12)); }), "met before that"));
+    CHECK(holds(said([&] { strays.event({wall, 0, 0}, number(3), aside, nullptr); }), "laws of collision"));
+}
+
 TEST_CASE("what breaks a law of collision is refuted") {
     const auto scene = two_balls();
     const auto says = [&](const certified& u, const certified& v, const certified& x, const certified& t) {

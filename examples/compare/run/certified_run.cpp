@@ -146,8 +146,8 @@ class attempt {
             found.events.back().b = e.after_b->state;
         }
         if (found.events.size() % 64 == 0) {
-            line_.show("proving, with " + std::to_string(bits_) + " bits: event " +
-                       std::to_string(found.events.size()));
+            line_.show("proving, with " + std::to_string(bits_) +
+                       " bits: " + progress_of(how_far_, found.events.size(), near_double(e.when.value)));
         }
         return !interrupted();
     }

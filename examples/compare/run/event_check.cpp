@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace compare::run {
 
@@ -23,8 +24,7 @@ graze::flight<N, certified> coarsened(const graze::flight<N, certified>& a) {
 } // namespace
 
 template <int N>
-event_check<N>::event_check(const owned_scene<N, certified>& scene)
-    : scene_(scene), is_periodic_(!is_zero<N>(scene.period)) {
+event_check<N>::event_check(const owned_scene<N, certified>& scene) : scene_(scene), space_(scene.period) {
     const auto reach = [&](const vector_of<N>& x) {
         for (int i = 0; i < N; ++i) {
             size_ = std::max(size_, std::abs(near_double(x[i])));
@@ -65,14 +65,14 @@ std::size_t event_check<N>::standing_of(const graze::scene_pair& who) const {
 
 template <int N>
 void event_check<N>::event(const graze::scene_pair& who, const certified& t, const flight& a, const flight* b) {
-    if (is_periodic_) {
-        return;
-    }
-    check_place(who, t);
-    check_laws(who, t, a, b);
-    check_way(who.a, t, &who);
+    const image periods = image_at(who, t);
+    check_place(who, periods, t);
+    check_laws(who, periods, t, a, b);
+    check_way(who.a, t, &who, periods);
     if (b != nullptr) {
-        check_way(who.b, t, &who);
+        image back{};
+        std::transform(periods.begin(), periods.end(), back.begin(), std::negate<>());
+        check_way(who.b, t, &who, back);
     }
     start(who.a, a, t, who);
     if (b != nullptr) {
@@ -101,19 +101,19 @@ void event_check<N>::start(int a, const flight& f, const certified& t, const gra
 
 template <int N>
 void event_check<N>::end(const certified& t) {
-    for (int a = 0; a < static_cast<int>(movers_.size()) && !is_periodic_; ++a) {
+    for (int a = 0; a < static_cast<int>(movers_.size()); ++a) {
         check_way(a, t, nullptr);
     }
 }
 
 template <int N>
 void event_check<N>::end_of_all() {
-    for (int a = 0; a < static_cast<int>(movers_.size()) && !is_periodic_; ++a) {
+    for (int a = 0; a < static_cast<int>(movers_.size()); ++a) {
         for (int b = 0; b < a; ++b) {
-            check_pair(a, b, nullptr, false);
+            check_pair(a, b, nullptr, nullptr);
         }
         for (std::size_t b = 0; b < standing(); ++b) {
-            check_standing(a, b, nullptr, false);
+            check_standing(a, b, nullptr, nullptr);
         }
     }
 }

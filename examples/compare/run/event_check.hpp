@@ -2,6 +2,7 @@
 #pragma once
 
 #include "clearance.hpp"
+#include "event_images.hpp"
 #include "scene_in.hpp"
 
 #include <graze/scene/mechanics.hpp>
@@ -25,11 +26,12 @@ struct refuted_event : std::logic_error {
 // part by the laws (momentum, energy, nothing across the normal); and that on their ways to it neither had met anything
 // else. A true number that an enclosure leaves open throws graze::undecided, one that contradicts throws refuted_event.
 // By convention, and so not checked: the order of events that share a ball at one instant, what becomes of a point on a
-// wall's border, and a touch at what may be an inner edge. Scenes that have a period are not checked.
+// wall's border, and a touch at what may be an inner edge.
 template <int N>
 class event_check {
   public:
     using flight = graze::flight<N, certified>;
+    using image = whole_image<N>;
 
     explicit event_check(const owned_scene<N, certified>& scene);
 
@@ -55,32 +57,39 @@ class event_check {
     const owned_scene<N, certified>& scene_;
     std::vector<mover> movers_;
     double size_ = 0; // the largest coordinate
-    bool is_periodic_;
+    image_space<N> space_;
 
     // Planes, walls and triangles are numbered in this order.
     [[nodiscard]] std::size_t first_triangle() const { return scene_.planes.size() + scene_.walls.size(); }
     [[nodiscard]] std::size_t standing() const { return first_triangle() + scene_.triangles.size(); }
     [[nodiscard]] std::size_t standing_of(const graze::scene_pair& who) const;
     [[nodiscard]] graze::scene_pair named(int a, std::size_t standing) const;
+    // f(what stands, or that image of it).
     template <class F>
-    auto with_standing(std::size_t standing, F f) const {
+    auto with_standing(std::size_t standing, F f, const image& periods = {}) const {
         if constexpr (N == 3) {
             if (standing >= first_triangle()) {
-                return f(scene_.triangles[standing - first_triangle()]);
+                return f(space_.image_of(scene_.triangles[standing - first_triangle()], periods));
             }
         }
-        return standing < scene_.planes.size() ? f(scene_.planes[standing])
-                                               : f(scene_.walls[standing - scene_.planes.size()]);
+        return standing < scene_.planes.size()
+                   ? f(scene_.planes[standing])
+                   : f(space_.image_of(scene_.walls[standing - scene_.planes.size()], periods));
     }
+    // Of which image of the second one of an event that must be: one that is touched then, or the nearest to it.
+    [[nodiscard]] image image_at(const graze::scene_pair& who, const certified& t) const;
     [[nodiscard]] bool is_point(const mover& m) const { return m.now.state.radius.certain_sign() == 0; }
 
-    void check_place(const graze::scene_pair& who, const certified& t) const;
-    void check_laws(const graze::scene_pair& who, const certified& t, const flight& a, const flight* b) const;
-    void check_way(int a, const certified& t, const graze::scene_pair* event);
-    void check_pair(int a, int b, const certified* t, bool meet) const;
-    void check_standing(int a, std::size_t b, const certified* t, bool meet) const;
+    void check_place(const graze::scene_pair& who, const image& periods, const certified& t) const;
+    void check_laws(const graze::scene_pair& who, const image& periods, const certified& t, const flight& a,
+                    const flight* b) const;
+    // met: that image is met at t.
+    void check_way(int a, const certified& t, const graze::scene_pair* event, const image& periods = {});
+    void check_pair(int a, int b, const certified* t, const image* met) const;
+    void check_standing(int a, std::size_t b, const certified* t, const image* met) const;
     void check_point(int a, std::size_t b, const certified* t, bool meet) const;
-    [[nodiscard]] bool may_touch_inner_edge(const mover& x, std::size_t b, const certified* t) const;
+    [[nodiscard]] bool may_touch_inner_edge(const mover& x, std::size_t b, const image& periods,
+                                            const certified* t) const;
     [[nodiscard]] bool keeps_aside(const mover& x) const;
     [[nodiscard]] int side_along(const mover& x, const vector_of<N>& normal) const;
     void note_sides(int a, const certified& t, const graze::scene_pair& who);

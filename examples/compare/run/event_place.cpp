@@ -4,11 +4,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace compare::run {
 
 template <int N>
-void event_check<N>::check_place(const graze::scene_pair& who, const certified& t) const {
+whole_image<N> event_check<N>::image_at(const graze::scene_pair& who, const certified& t) const {
+    const flight& a = movers_[static_cast<std::size_t>(who.a)].now;
+    image best{};
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](const auto& s) {
+        const bool known = space_.for_each(a, s, t, &t, [&](const image& periods) {
+            const clearance there = clearance_at<N>(a, space_.image_of(s, periods), t);
+            const bool may_be_met =
+                there.value.certain_sign().value_or(0) <= 0 && there.slope.certain_sign().value_or(0) <= 0;
+            const double off = std::abs(near_double(there.value)) * (may_be_met ? 0x1p-100 : 1);
+            if (off < least) {
+                least = off;
+                best = periods;
+            }
+        });
+        if (!known) {
+            leave_open(who, "which image is met", t);
+        }
+        return 0;
+    };
+    if (who.with == graze::partner::ball) {
+        look(movers_[static_cast<std::size_t>(who.b)].now);
+    } else if (who.with != graze::partner::plane) { // of which no normal has a component along a period
+        with_standing(standing_of(who), look);
+    }
+    return best;
+}
+
+template <int N>
+void event_check<N>::check_place(const graze::scene_pair& who, const image& periods, const certified& t) const {
     const mover& a = movers_[static_cast<std::size_t>(who.a)];
     const bool two = who.with == graze::partner::ball;
     const mover* b = two ? &movers_[static_cast<std::size_t>(who.b)] : nullptr;
@@ -23,8 +53,9 @@ void event_check<N>::check_place(const graze::scene_pair& who, const certified& 
         }
     }
     const std::size_t standing = two ? 0 : standing_of(who);
-    const clearance there = two ? clearance_at<N>(a.now, b->now, t)
-                                : with_standing(standing, [&](const auto& s) { return clearance_at<N>(a.now, s, t); });
+    const clearance there = two ? clearance_at<N>(a.now, space_.image_of(b->now, periods), t)
+                                : with_standing(
+                                      standing, [&](const auto& s) { return clearance_at<N>(a.now, s, t); }, periods);
     const std::optional<int> apart = there.value.certain_sign(), going = there.slope.certain_sign();
     if (apart == 1) {
         refute(who, "do not touch", t);
@@ -55,7 +86,7 @@ void event_check<N>::check_place(const graze::scene_pair& who, const certified& 
 }
 
 template <int N>
-void event_check<N>::check_laws(const graze::scene_pair& who, const certified& t, const flight& a,
+void event_check<N>::check_laws(const graze::scene_pair& who, const image& periods, const certified& t, const flight& a,
                                 const flight* b) const {
     const mover& x = movers_[static_cast<std::size_t>(who.a)];
     const vector_of<N> at = place_at<N>(x.now, t), change = a.state.velocity - x.now.state.velocity;
@@ -67,13 +98,15 @@ void event_check<N>::check_laws(const graze::scene_pair& who, const certified& t
     if (x.immovable) {
         is_wrong(is_zero<N>(change));
     } else {
-        is_wrong(agree<N>(place_at<N>(a, t), at));
+        is_wrong(agree<N>(space_.brought_to(place_at<N>(a, t), at), at));
     }
     if (b == nullptr) {
-        with_standing(standing_of(who), [&](const auto& s) {
+        flight left = a; // from where it was met
+        left.state.position = left.state.position + (space_.brought_to(place_at<N>(a, t), at) - place_at<N>(a, t));
+        const auto parts = [&](const auto& s) {
             vector_of<N> normal = normal_of<N>(s);
             if (!is_point(x)) {
-                const clearance before = clearance_at<N>(x.now, s, t), after = clearance_at<N>(a, s, t);
+                const clearance before = clearance_at<N>(x.now, s, t), after = clearance_at<N>(left, s, t);
                 is_wrong(agree(before.slope, -after.slope) || x.immovable);
                 if constexpr (requires { s.edge; }) {
                     normal = at - nearest_point<N>(s, at);
@@ -84,13 +117,15 @@ void event_check<N>::check_laws(const graze::scene_pair& who, const certified& t
                      agree(graze::dot(a.state.velocity, normal), -graze::dot(x.now.state.velocity, normal)));
             is_wrong(agree(graze::squared_norm(a.state.velocity), graze::squared_norm(x.now.state.velocity)));
             return 0;
-        });
+        };
+        with_standing(standing_of(who), parts, periods);
         return;
     }
     const mover& y = movers_[static_cast<std::size_t>(who.b)];
     const vector_of<N> other = b->state.velocity - y.now.state.velocity;
-    is_wrong(y.immovable ? is_zero<N>(other) : agree<N>(place_at<N>(*b, t), place_at<N>(y.now, t)));
-    const vector_of<N> apart = at - place_at<N>(y.now, t);
+    const vector_of<N> other_at = place_at<N>(y.now, t);
+    is_wrong(y.immovable ? is_zero<N>(other) : agree<N>(space_.brought_to(place_at<N>(*b, t), other_at), other_at));
+    const vector_of<N> apart = at - place_at<N>(space_.image_of(y.now, periods), t);
     is_wrong(may_be_along<N>(change, apart) && may_be_along<N>(other, apart));
     const certified inverse_a = certified(1) / a.state.mass, inverse_b = certified(1) / b->state.mass;
     is_wrong(agree<N>(inverse_b * change, -(inverse_a * other))); // momentum, in units of the product of the masses

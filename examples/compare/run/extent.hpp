@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace compare::run {
 
@@ -15,6 +16,9 @@ struct extent {
     std::optional<std::uint64_t> events;
     std::uint64_t jam = 0;
 };
+
+// As in "event 128, t = 3.25 (32%)": of a run that has come to there.
+[[nodiscard]] std::string progress_of(const extent& how_far, std::uint64_t events, double time);
 
 // What is wanted of the certified run. digits: decimal digits of positions and velocities at the end, counted from the
 // first one of the largest coordinate and of the largest component of a velocity. most_bits: the precision after which

@@ -188,17 +188,21 @@ run_report report_of(const exact_scene<N>& scene, const run_options& o, const st
     const certified_result<N> proved = certified_run<N>(scene, o.how_far, wanted, line);
     run_report r;
     describe<N>(r, proved, o);
-    r.checked = !scene.is_periodic();
     true_sequence<N> truth = sequence_of<N>(proved, scene);
     if (o.distance) {
         truth.distance_of = static_cast<std::size_t>(*o.distance);
     }
-    run_plan plan{o.how_far, o.timing, !o.paths.empty()};
+    run_plan plan{o.how_far, o.timing, !o.paths.empty(), {}};
     if (!proved.problem.empty() || interrupted()) { // no further than is known
         plan.how_far.events = proved.events.size();
     }
     for (const runnable& type : types) {
-        line.show("running " + type.type, r.types.size(), types.size());
+        const std::string running = "running " + type.type + " (" + std::to_string(r.types.size() + 1) + " of " +
+                                    std::to_string(types.size()) + ")";
+        line.show(running);
+        plan.show_progress = [&](std::uint64_t events, double time) {
+            line.show(running + ": " + progress_of(plan.how_far, events, time));
+        };
         history found;
         if (interrupted()) {
             found.compared = comparison::none;

@@ -57,7 +57,6 @@ std::string to_json(const run_report& r) {
                 {"ending", to_string(r.why)},
                 {"problem", r.problem},
                 {"interrupted", r.interrupted},
-                {"checked", r.checked},
                 {"end", r.end},
                 {"choices", r.choices},
                 {"bits", r.bits},

@@ -42,7 +42,6 @@ struct run_report {
     std::vector<graze::participant> jammed; // of a cascade
     std::string problem;                    // what ended the certified run early
     bool interrupted = false;
-    bool checked = true; // every event in the second way too
     std::uint64_t choices = 0;
     long bits = 0;
     int attempts = 0;

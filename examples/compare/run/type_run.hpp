@@ -71,6 +71,7 @@ class type_run {
             const graze::run<M> fresh(run);
             judge<N> events(truth_, found);
             start_paths(found, run);
+            std::uint64_t done_yet = 0;
             const observer watch([&](const graze::run_event<M>& e) {
                 const place a = wide_or_nothing(e.after_a.state.position);
                 events.event(e.who, about(run.rules(), e.when), a,
@@ -78,6 +79,9 @@ class type_run {
                 add_to_path(found, e.who.a, run.rules().about(e.after_a));
                 if (e.after_b != nullptr) {
                     add_to_path(found, e.who.b, run.rules().about(*e.after_b));
+                }
+                if (++done_yet % 1024 == 0 && plan_.show_progress) {
+                    plan_.show_progress(done_yet, about(run.rules(), e.when));
                 }
                 return !interrupted();
             });
