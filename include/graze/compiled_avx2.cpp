@@ -54,6 +54,14 @@ GRAZE_SOURCES(2, double)
 GRAZE_SOURCES(3, float)
 GRAZE_SOURCES(3, double)
 
+#define GRAZE_ASK_TRIANGLE(T)                                                                                          \
+    using triangle_of_##T = single_source<triangle<T>>;                                                                \
+    GRAZE_ASK(batch_classify, columns_of3##T, triangle_of_##T)                                                         \
+    GRAZE_ASK(batch_classify, balls_of3##T, triangle_of_##T)
+
+GRAZE_ASK_TRIANGLE(float)
+GRAZE_ASK_TRIANGLE(double)
+
 } // namespace graze::inline v0_1::detail
 
 #endif
