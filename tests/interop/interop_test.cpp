@@ -20,6 +20,7 @@
 
 #include <array>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -165,6 +166,28 @@ TEST_CASE("batches of foreign balls, and of one foreign thing, answer as those o
     b[17].radius = -1;
     std::array<graze::encounter, 300> what;
     CHECK_THROWS_WITH(graze::batch::classify(a, b, what), "pair 17: ball b: radius is negative");
+}
+
+namespace {
+struct fragile {
+    by_member position, velocity;
+};
+} // namespace
+template <>
+struct graze::ball_access<fragile> {
+    static const by_member& position(const fragile& b) { return b.position; }
+    static const by_member& velocity(const fragile& b) { return b.velocity; }
+    static double radius(const fragile& b) {
+        return b.position.x < 0 ? throw std::length_error("no radius") : 1; // of which graze knows nothing
+    }
+};
+TEST_CASE("what a user's type throws leaves a batch") {
+    const fragile good{{0, 0, 0}, {1, 0, 0}}, bad{{-1, 0, 0}, {1, 0, 0}};
+    const std::vector<fragile> balls{good, good, good, bad, good, good, good, good};
+    std::array<graze::encounter, 8> what;
+    CHECK_THROWS_WITH_AS(graze::batch::classify(balls, balls, what), "no radius", std::length_error);
+    std::array<double, 8> time;
+    CHECK_THROWS_WITH_AS(graze::batch::time_of_impact(balls, balls, time), "no radius", std::length_error);
 }
 
 TEST_CASE("a flight") {

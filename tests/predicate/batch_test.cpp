@@ -100,7 +100,7 @@ void check_types() {
     }
 }
 
-// Balls against one plane or wall.
+// Balls against one plane, wall or triangle.
 template <int N, class T, class Shape>
 void check_shape(const batches::many_balls<N, T>& balls, const Shape& shape) {
     const auto& a = balls.all();
@@ -154,7 +154,7 @@ void check_in_plane() {
     }
 }
 
-// Balls in their own units and in any, against planes and walls of several sizes.
+// Balls in their own units and in any, against planes, walls and triangles of several sizes.
 template <int N, class T>
 void check_units() {
     const auto own = batches::draw<N, T>(5, 2'000, 64, batches::units::own);
@@ -175,6 +175,11 @@ void check_units() {
         check_shape(any.a, p);
         check_shape(own.a, w);
         check_shape(any.a, w);
+        if constexpr (N == 3) {
+            const graze::triangle<T> t{w.corner, w.edge};
+            check_shape(own.a, t);
+            check_shape(any.a, t);
+        }
     }
 }
 
@@ -259,6 +264,27 @@ TEST_CASE("The oracle says the same of hard pairs") {
         ++seen[static_cast<std::size_t>(what[i])];
     }
     CHECK(*std::min_element(seen.begin(), seen.end()) > 0);
+}
+
+// What the scalar functions refuse, or would convert, no batch accepts.
+template <class A, class B>
+inline constexpr bool is_batch = requires(const A& a, const B& b, std::span<encounter> what) {
+    graze::batch::classify(a, b, what);
+};
+template <int N, class T>
+using balls = std::vector<graze::ball<N, T>>;
+static_assert(is_batch<balls<2, double>, graze::columns<2>> &&
+              is_batch<graze::columns<3, float>, graze::triangle<float>>);
+static_assert(!is_batch<balls<2, double>, balls<2, float>> && !is_batch<balls<2, double>, graze::plane<3>>);
+static_assert(!is_batch<balls<2, double>, graze::triangle<>> && !is_batch<balls<2, double>, graze::flight<2>>);
+static_assert(!is_batch<balls<2, long double>, balls<2, long double>> && !is_batch<balls<2, short>, balls<2, short>>);
+
+TEST_CASE("A part of columns is within them") {
+    static constexpr std::array<int, 3> n{1, 2, 3};
+    constexpr graze::columns<2, int> c{{n.data(), n.data()}, {n.data(), n.data()}, n.data(), n.size()};
+    static_assert(c.part(1, 5).size == 2 && c.part(1, 1).size == 1 && *c.part(2, 9).radius == 3);
+    static_assert(c.part(3, 1).size == 0 && c.part(4, 1).size == 0);
+    CHECK(graze::columns<2>{}.part(1, 1).size == 0);
 }
 
 TEST_CASE("Laws of batches") {

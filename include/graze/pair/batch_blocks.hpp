@@ -1,6 +1,7 @@
 // A batch, block by block: in lanes first, then one by one the pairs that these leave open.
 #pragma once
 
+#include <graze/exact/binary.hpp>
 #include <graze/machine/failure.hpp>
 #include <graze/pair/batch_source.hpp>
 #include <graze/pair/open_pairs.hpp>
@@ -13,12 +14,17 @@
 
 namespace graze::inline v0_1::detail {
 
-// A: many balls; B: as many, or one thing.
+// A: many balls; B: as many, or one thing, in numbers of the same type.
 template <class A, class B>
-concept batch_of = requires {
-    source_for<A>::dimension;
-    typename source_for<B>;
+concept batch_of = requires(const source_for<B>& b) {
+    requires is_binary_input<typename source_for<A>::scalar>;
+    requires is_shape_in < std::remove_cvref_t<decltype(b.at(0))>, source_for<A>::dimension,
+    typename source_for<A>::scalar > ;
 };
+
+// Reading a user's own types may throw.
+template <class A, class B>
+inline constexpr bool reads_without_throwing = !is_foreign<A> && !is_foreign<B>;
 
 // f(); an exception about bad input is thrown with the index of the pair.
 template <class Mode, class F>
@@ -50,7 +56,8 @@ void require_size(const A& a, const B& b, std::size_t answers) {
 // to read the numbers as memory holds them, whatever expression they came from.
 template <class Question, class V, class A, class B>
 [[gnu::noinline]] void ask_lanes(const A& a, const B& b, std::size_t from, std::size_t count,
-                                 typename Question::answer* answers, open_pairs& left) noexcept {
+                                 typename Question::answer* answers,
+                                 open_pairs& left) noexcept(reads_without_throwing<A, B>) {
     constexpr std::size_t step = V::lanes;
     std::size_t i = 0;
     const auto each = [&](const auto& other) __attribute__((always_inline)) {
@@ -77,11 +84,10 @@ void ask_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t co
 // Whether lanes of V can answer.
 template <class Question, class V, class A, class B>
 inline constexpr bool has_lanes_of = [] {
-    using X = ball<A::dimension, V>;
     if constexpr (requires(const B& b) { b.template lanes_from<V>(0); }) {
-        return requires(const X& x) { Question::lanes(x, x); };
+        return requires(const ball<A::dimension, V>& x) { Question::lanes(x, x); };
     } else {
-        return requires(const X& x, const B& b) { Question::lanes(x, in_lanes<V>(b.at(0))); };
+        return requires(const ball<A::dimension, V>& x, const B& b) { Question::lanes(x, in_lanes<V>(b.at(0))); };
     }
 }();
 template <class Question, class A, class B>
@@ -96,7 +102,7 @@ inline constexpr bool has_lanes = [] {
 // In the widest registers that there are. `Wider` is part of the name of all code that depends on it.
 template <int Wider, class Question, class A, class B>
 void ask_widest_lanes(const A& a, const B& b, std::size_t from, std::size_t count, typename Question::answer* answers,
-                      open_pairs& left) noexcept {
+                      open_pairs& left) noexcept(reads_without_throwing<A, B>) {
     if constexpr (Wider > 0) {
         if (has_compiled_registers()) {
             ask_compiled_lanes<Wider, Question>(a, b, from, count, answers, left);

@@ -199,4 +199,16 @@ template <foreign_shape S>
 template <class A>
 using source_for = decltype(source_of(std::declval<const A&>()));
 
+// Whether S is a shape in N dimensions whose numbers are of type T.
+template <class S, int N, class T>
+inline constexpr bool is_shape_in = false;
+template <int N, class T>
+inline constexpr bool is_shape_in<ball<N, T>, N, T> = true;
+template <int N, class T>
+inline constexpr bool is_shape_in<plane<N, T>, N, T> = true;
+template <int N, class T>
+inline constexpr bool is_shape_in<wall<N, T>, N, T> = true;
+template <class T>
+inline constexpr bool is_shape_in<triangle<T>, 3, T> = true;
+
 } // namespace graze::inline v0_1::detail

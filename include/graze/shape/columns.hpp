@@ -15,9 +15,10 @@ struct columns {
     const T* radius;
     std::size_t size;
 
-    // The balls from `first` on, at most `count` of them.
+    // The balls from `first` on, at most `count` of them; none if there are not so many.
     [[nodiscard]] constexpr columns part(std::size_t first, std::size_t count) const noexcept {
         columns r = *this;
+        first = first < size ? first : size;
         for (std::size_t k = 0; k < N; ++k) {
             r.position[k] += first;
             r.velocity[k] += first;

@@ -38,9 +38,8 @@ void round_impact(const ball<N, T>& x, const Y& y, rounding mode, rounded_time_o
 
 template <class A, class B>
 inline constexpr bool has_time_lanes = [] {
-    using T = typename A::scalar;
-    if constexpr (std::is_floating_point_v<T> && register_bytes > 0) {
-        return requires(const B& b) { b.template lanes_at<native_pack<T>>({}); };
+    if constexpr (std::is_floating_point_v<typename A::scalar> && register_bytes > 0) {
+        return requires(const B& b) { b.template lanes_at<native_pack<typename A::scalar>>({}); };
     } else {
         return false;
     }

@@ -38,7 +38,7 @@ struct rounded_hits {
     open_pairs* left;
 
     template <bool Fused>
-    [[gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept {
+    [[gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept(reads_without_throwing<A, B>) {
         constexpr std::size_t step = V::lanes;
         const hit_list list(*hits, step);
         for (std::size_t first = 0; first < list.size; first += step) {
@@ -85,7 +85,7 @@ struct rounded_hits {
 // The times of the pairs from `from` on, `count` of them, and which of them are left open.
 template <class V, class A, class B>
 [[gnu::noinline]] void time_lanes(const A& a, const B& b, std::size_t from, std::size_t count, rounding mode,
-                                  typename V::scalar* time, open_pairs& left) noexcept {
+                                  typename V::scalar* time, open_pairs& left) noexcept(reads_without_throwing<A, B>) {
     constexpr std::size_t step = V::lanes;
     open_pairs hits;
     std::size_t i = 0;
@@ -110,7 +110,7 @@ void time_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t c
 
 template <int Wider, class A, class B>
 void time_widest_lanes(const A& a, const B& b, std::size_t from, std::size_t count, rounding mode,
-                       typename A::scalar* time, open_pairs& left) noexcept {
+                       typename A::scalar* time, open_pairs& left) noexcept(reads_without_throwing<A, B>) {
     if constexpr (Wider > 0) {
         if (has_compiled_registers()) {
             time_compiled_lanes<Wider>(a, b, from, count, mode, time, left);
