@@ -18,7 +18,7 @@ def declared(code):
     """Name and kind of what a declaration declares; None if it declares nothing new."""
     code = re.sub(r'\[\[[^\]]*\]\]', ' ', code)
     code = re.sub(r'\brequires\s*\([^{;]*?\)\s*(?=\n|struct|class|\[|constexpr|inline)', ' ', code)
-    head = re.sub(r'^\s*template\s*<(?:[^<>]|<[^<>]*>)*>\s*', '', code).strip()
+    head = re.sub(r'^\s*template\s*<(?:[^<>]|<(?:[^<>]|<(?:[^<>]|<[^<>]*>)*>)*>)*>\s*', '', code).strip()
     if head.startswith(('friend', 'extern', 'static_assert', 'namespace', 'using namespace')):
         return None
     for pattern, kind in KINDS:

@@ -74,6 +74,7 @@ results small_results() {
     found.groups.push_back({});
     found.groups[0].name = "g";
     found.groups[0].pairs = 100;
+    found.groups[0].encounters = {{"miss", 50}, {"hit", 50}};
     type_information binary, rational;
     binary.name = "double";
     rational.name = "rational";

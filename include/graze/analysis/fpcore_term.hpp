@@ -104,7 +104,7 @@ inline bool fpcore_script::is_constant(const std::string& name) {
         }
     }
     const std::size_t first = name.find_first_not_of("+-."); // a sign, a point
-    return first != std::string::npos && first <= 2 && std::string(digits).find(name[first]) != std::string::npos;
+    return first <= 2 && std::string(digits).find(name[first]) != std::string::npos;
 }
 
 inline fpcore_term fpcore_script::input(const std::string& name) {
