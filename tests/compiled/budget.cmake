@@ -1,4 +1,4 @@
-# cmake -D CXX=g++ -D NM=nm -D WORK=folder [-D UPDATE=ON] -P budget.cmake: what small units cost their compiler, by figures
+# cmake -D CXX=g++ -D NM=nm -D WORK=folder [-D UPDATE=ON] [-D UNITS=some] -P budget.cmake: what small units cost their compiler, by figures
 # that are the same on a busy machine: functions in the object and the kilobytes of it. Neither may be more than an eighth
 # above the table budget.txt, which UPDATE writes; both are for g++ 12 on x86-64. With graze::compiled the units are
 # optimised, as a user's are. Header-only they are not: that takes a third of the time, and each function that is
@@ -19,7 +19,10 @@ set(order_of_times
 file(MAKE_DIRECTORY "${WORK}")
 set(written "# unit: functions and kilobytes header-only at -O0, both with graze::compiled at -O2 (budget.cmake)\n")
 set(over)
-foreach(unit IN ITEMS classify_balls time_of_balls collide_balls classify_wall collide_wall order_of_times)
+if(NOT UNITS OR UPDATE)
+    set(UNITS classify_balls time_of_balls collide_balls classify_wall collide_wall order_of_times)
+endif()
+foreach(unit IN LISTS UNITS)
     file(WRITE "${WORK}/${unit}.cpp" "#include <graze/graze.hpp>\n${${unit}}\n")
     set(row)
     foreach(options IN ITEMS "-O0" "-O2;-DGRAZE_COMPILED")
