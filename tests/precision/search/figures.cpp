@@ -48,17 +48,17 @@ told asked_of(const subject& s, const std::vector<precision::family>& families) 
 }
 
 std::size_t letters_between(const std::string& x, const std::string& y) {
-    std::vector<std::size_t> row(y.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
+    std::vector<std::size_t> costs(y.size() + 1);
+    std::iota(costs.begin(), costs.end(), std::size_t{0});
     for (const char letter : x) {
-        std::size_t diagonal = row[0]++;
+        std::size_t diagonal = costs[0]++;
         for (std::size_t j = 0; j < y.size(); ++j) {
             const std::size_t changed = diagonal + (letter == y[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+            diagonal = costs[j + 1];
+            costs[j + 1] = std::min({changed, costs[j] + 1, costs[j + 1] + 1});
         }
     }
-    return row.back();
+    return costs.back();
 }
 
 } // namespace
