@@ -1,6 +1,8 @@
 // The common parts of the benchmarks: the pairs, and the registration of a comparison.
 #pragma once
 
+#include "plain.hpp"
+
 #include <families/random.hpp>
 
 #include <graze/graze.hpp>
@@ -50,23 +52,6 @@ void compare(const std::string& group, const std::string& name, std::size_t coun
     });
 }
 
-// The decision by the formulas as they are in T, without a filter: what classify is compared with.
-template <class T>
-[[nodiscard]] inline graze::encounter decide(const ball<3, T>& a, const ball<3, T>& b) {
-    const auto m = graze::relative_motion_of(a, b);
-    const T h = graze::coefficient_h{}(m);
-    if (graze::sign(h) >= 0) {
-        return graze::encounter::recede;
-    }
-    const T c = graze::coefficient_c{}(m);
-    if (graze::sign(c) < 0) {
-        return graze::encounter::overlap;
-    }
-    const T d = graze::discriminant_halved{}(graze::quadratic<T, T, T>{graze::coefficient_a{}(m), h, c});
-    const int s = graze::sign(d);
-    return s < 0 ? graze::encounter::miss : s == 0 ? graze::encounter::graze : graze::encounter::hit;
-}
-
 // τ by the halved discriminant and the stable root in T, for pairs that are apart and meet.
 template <class T>
 [[nodiscard]] inline std::optional<T> plain_time(const ball<3, T>& a, const ball<3, T>& b) {
@@ -84,14 +69,6 @@ template <class T>
         return std::nullopt;
     }
     return T(graze::root_stable{}(c, h, graze::square_root(d)));
-}
-
-template <class T>
-[[nodiscard]] ball<3, T> as(const ball<3>& x) {
-    const auto vector = [](const graze::vec<3, double>& v) {
-        return graze::make_vec<3>([&](int i) { return T(v[i]); });
-    };
-    return {vector(x.position), vector(x.velocity), T(x.radius), T(1)};
 }
 
 template <class T>

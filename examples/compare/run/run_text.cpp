@@ -36,8 +36,7 @@ std::string heading(const run_report& r) {
         text += " until t = " + time_text(r.events.back().about);
     }
     text += r.problem.empty() && r.why == graze::ending::exhausted && !nothing ? ", and none after that" : "";
-    text += ", every decision proved (";
-    text += std::to_string(r.bits) + " bits, ";
+    text += ", every decision proved (" + std::to_string(r.bits) + " bits, ";
     text += r.attempts == 1 ? "1 attempt, " : std::to_string(r.attempts) + " attempts, ";
     text += short_number(r.seconds) + " s)\n";
     if (!r.problem.empty()) {

@@ -1,6 +1,7 @@
 // The formulas in a number type, as they are.
 #pragma once
 
+#include "../plain.hpp"
 #include "costs.hpp"
 
 #include <graze/formula/solve_balls.hpp>
@@ -10,14 +11,9 @@
 
 namespace costs {
 
-template <class T>
-[[nodiscard]] graze::vec<3, T> as(const graze::vec<3, double>& x) {
-    return {T(x[0]), T(x[1]), T(x[2])};
-}
-template <class T>
-[[nodiscard]] graze::ball<3, T> as(const graze::ball<3>& x) {
-    return {as<T>(x.position), as<T>(x.velocity), T(x.radius), T(x.mass)};
-}
+using speed::as;
+using speed::decide;
+
 template <class T>
 [[nodiscard]] graze::wall<3, T> as(const graze::wall<3>& x) {
     return {as<T>(x.corner), {as<T>(x.edge[0]), as<T>(x.edge[1])}};
@@ -33,23 +29,6 @@ template <class T, class S>
         r->b.push_back(as<T>(p.b[i]));
     }
     return r;
-}
-
-// By the signs of h, c and D, each computed only if it is needed.
-template <class T>
-[[nodiscard]] graze::encounter decide(const graze::ball<3, T>& a, const graze::ball<3, T>& b) {
-    const auto m = graze::relative_motion_of(a, b);
-    const T h = graze::coefficient_h{}(m);
-    if (graze::sign(h) >= 0) {
-        return graze::encounter::recede;
-    }
-    const T c = graze::coefficient_c{}(m);
-    if (graze::sign(c) < 0) {
-        return graze::encounter::overlap;
-    }
-    const graze::quadratic<T, T, T> q{graze::coefficient_a{}(m), h, c};
-    const int s = graze::sign(T(graze::discriminant_halved{}(q)));
-    return s < 0 ? graze::encounter::miss : s == 0 ? graze::encounter::graze : graze::encounter::hit;
 }
 
 template <class T>
