@@ -102,7 +102,7 @@ inline constexpr bool has_lanes = [] {
 // In the widest registers that there are. `Wider` is part of the name of all code that depends on it.
 template <int Wider, class Question, class A, class B>
 void ask_widest_lanes(const A& a, const B& b, std::size_t from, std::size_t count, typename Question::answer* answers,
-                      open_pairs& left) noexcept(reads_without_throwing<A, B>) {
+                      open_pairs& left) {
     if constexpr (Wider > 0) {
         if (has_compiled_registers()) {
             ask_compiled_lanes<Wider, Question>(a, b, from, count, answers, left);

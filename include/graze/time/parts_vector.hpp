@@ -47,14 +47,15 @@ template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> exact_components(const vec<N, double>& x) noexcept {
     return make_parts<N>([&](int i) { return sized_pair{{x[i], 0}, absolute(x[i])}; });
 }
+[[nodiscard, gnu::always_inline]] inline sized_pair difference_in_parts(double x, double y) noexcept {
+    const auto d = two_difference(x, y);
+    return {d, absolute(d.value)};
+}
 // x - y of doubles, and x - y of parts and doubles.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> difference_in_parts(const vec<N, double>& x,
                                                                              const vec<N, double>& y) noexcept {
-    return make_parts<N>([&](int i) {
-        const auto d = two_difference(x[i], y[i]);
-        return sized_pair{d, absolute(d.value)};
-    });
+    return make_parts<N>([&](int i) { return difference_in_parts(x[i], y[i]); });
 }
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> difference_in_parts(const parts_vector<N>& x,
