@@ -14,19 +14,13 @@ add_library(compare_certified STATIC ${certified} run/event_place.cpp run/event_
 target_link_libraries(compare_certified PUBLIC compare_engine graze_number_mpfi PRIVATE graze_warnings)
 compare_compile_together(compare_certified -O1 ${certified})
 
-# Number types against the clock. The preset `test` has two.
-option(GRAZE_FEW_RUN_TYPES "Build `graze-compare run` with two number types instead of all" OFF)
-add_library(compare_run_types STATIC run/runnables.cpp run/types/cpp_bin_float_50.cpp run/types/double.cpp)
+# Number types against the clock.
+add_library(compare_run_types STATIC run/runnables.cpp run/types/cpp_bin_float_50.cpp run/types/cpp_bin_float_100.cpp
+    run/types/double.cpp run/types/float.cpp run/types/graze.cpp run/types/long_double.cpp run/types/mpfr_float_50.cpp)
 target_link_libraries(compare_run_types PUBLIC compare_certified PRIVATE $<TARGET_NAME_IF_EXISTS:graze::compiled> graze_warnings)
-if(NOT GRAZE_FEW_RUN_TYPES)
-    target_sources(compare_run_types PRIVATE run/types/cpp_bin_float_100.cpp run/types/float.cpp
-        run/types/graze.cpp run/types/long_double.cpp run/types/mpfr_float_50.cpp)
-endif()
-set_property(SOURCE run/runnables.cpp PROPERTY COMPILE_DEFINITIONS
-    COMPARE_FEW_RUN_TYPES=$<BOOL:${GRAZE_FEW_RUN_TYPES}>)
 function(compare_run_type library source)
     string(TOUPPER "COMPARE_HAS_${library}" macro)
-    if(TARGET graze_number_${library} AND NOT GRAZE_FEW_RUN_TYPES)
+    if(TARGET graze_number_${library})
         target_sources(compare_run_types PRIVATE ${source})
         target_link_libraries(compare_run_types PRIVATE graze_number_${library})
         set_property(SOURCE run/runnables.cpp APPEND PROPERTY COMPILE_DEFINITIONS ${macro}=1)

@@ -9,4 +9,5 @@ target_link_libraries(compare_report_browser_test
   PRIVATE compare_report graze_warnings doctest::doctest nlohmann_json::nlohmann_json)
 add_test(NAME compare_report_browser_test COMMAND compare_report_browser_test)
 # 77: chromium is not installed.
-set_tests_properties(compare_report_browser_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 COST 20)
+set_tests_properties(compare_report_browser_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+graze_build_when_asked(matrix compare_report_browser_test compare_report_browser_test)

@@ -24,9 +24,5 @@ target_compile_definitions(compare_run_program_test PRIVATE
     "GRAZE_TEST_SCENES=\"${CMAKE_CURRENT_SOURCE_DIR}/scenes\"" "GRAZE_BAD_INPUTS=\"${CMAKE_CURRENT_SOURCE_DIR}/bad\""
     "GRAZE_JSON_PAGE=\"${PROJECT_SOURCE_DIR}/docs/reference/run-json.md\"")
 add_dependencies(compare_run_program_test graze-compare graze-compare-run)
-if(GRAZE_FEW_RUN_TYPES)
-    target_compile_definitions(compare_run_program_test PRIVATE GRAZE_FEW_RUN_TYPES)
-else()
-    add_test(NAME compare_run_in_all_types COMMAND compare_run_program_test "--test-case=the photon*")
-    set_tests_properties(compare_run_in_all_types PROPERTIES LABELS matrix)
-endif()
+set_target_properties(compare_run_types graze-compare-run PROPERTIES EXCLUDE_FROM_ALL ON)
+graze_build_when_asked(matrix compare_run_program_test compare_run_program_test)
