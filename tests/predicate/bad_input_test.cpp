@@ -70,28 +70,28 @@ void each_bad(graze::vec<N, T>& x, F f) {
 }
 
 template <int N, class T, class B>
-void check_ball(graze::ball<N, T>& ball, const std::string& name, const graze::ball<N, T>& a, const B& b) {
+void check_ball(graze::ball<N, T>& tried, const std::string& name, const graze::ball<N, T>& a, const B& b) {
     using limits = std::numeric_limits<T>;
-    each_bad(ball.position, [&] { CHECK(message(a, b) == name + ": position is not finite"); });
-    each_bad(ball.velocity, [&] { CHECK(message(a, b) == name + ": velocity is not finite"); });
+    each_bad(tried.position, [&] { CHECK(message(a, b) == name + ": position is not finite"); });
+    each_bad(tried.velocity, [&] { CHECK(message(a, b) == name + ": velocity is not finite"); });
     for (const T bad : {limits::quiet_NaN(), limits::signaling_NaN(), limits::infinity(), -limits::infinity()}) {
-        ball.radius = bad;
+        tried.radius = bad;
         CHECK(message(a, b) == name + ": radius is not finite");
     }
     for (const T bad : {T(-1), -limits::denorm_min(), limits::lowest()}) {
-        ball.radius = bad;
+        tried.radius = bad;
         CHECK(message(a, b) == name + ": radius is negative");
     }
     for (const T good : {T(0), -T(0), limits::max(), limits::denorm_min()}) {
-        ball.radius = good;
+        tried.radius = good;
         CHECK(message(a, b) == "");
     }
-    ball.radius = T(1);
+    tried.radius = T(1);
     for (const T mass : {T(0), T(-1), limits::infinity(), limits::quiet_NaN()}) { // decisions take no mass
-        ball.mass = mass;
+        tried.mass = mass;
         CHECK(message(a, b) == "");
     }
-    ball.mass = T(1);
+    tried.mass = T(1);
 }
 
 template <int N, class T>

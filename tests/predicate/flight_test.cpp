@@ -63,11 +63,11 @@ graze::plane<N> any_plane() {
 }
 template <int N>
 graze::wall<N> any_wall() {
-    const auto plane = any_plane<N>();
-    graze::wall<N> w{plane.point, {}};
-    w.edge[0] = plane.normal;
+    const auto ground = any_plane<N>();
+    graze::wall<N> w{ground.point, {}};
+    w.edge[0] = ground.normal;
     if constexpr (N == 3) {
-        w.edge[1] = {{-plane.normal[1], plane.normal[0], 1}}; // not parallel to it
+        w.edge[1] = {{-ground.normal[1], ground.normal[0], 1}}; // not parallel to it
     }
     return w;
 }
@@ -113,7 +113,7 @@ bool same(const flight_answers::answer<N, double, graze::contact<N>>& x,
 
 // Laws 1 and 2, and 3 in a common scale of time as well.
 template <int N>
-void laws(const flight<N>& a, const flight<N>& b) {
+void check_laws(const flight<N>& a, const flight<N>& b) {
     const auto answer = flight_answers::of(a, b);
     RC_ASSERT(same<N>(flight_answers::of(b, a), answer));
     const auto permuted = [](const auto& x) { return transform::permuted(x, 1); };
@@ -228,9 +228,9 @@ TEST_CASE("Times of different epochs and kinds are in their exact order") {
 TEST_CASE("The answer does not depend on axes, on the order of arguments or on units") {
     CHECK(rc::check([] {
         const auto p = any<2>();
-        laws(p.a, p.b);
+        check_laws(p.a, p.b);
         const auto q = any<3>();
-        laws(q.a, q.b);
+        check_laws(q.a, q.b);
     }));
     CHECK(rc::check([] { // whose numbers leave room
         const auto index = *rc::gen::arbitrary<std::uint64_t>();
