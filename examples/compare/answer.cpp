@@ -14,7 +14,7 @@ namespace {
 
 std::size_t times_of(const row& r) { return r.error(quantity::time).count + r.error(quantity::crossing).count; }
 
-// Nothing is known of the times of a row that decided so wrongly that none was left to measure.
+// Whether wrong or open decisions left no time of this row to measure: then nothing is known of its times.
 bool nothing_left(const row& r) { return times_of(r) == 0 && r.decisions.wrong() + r.decisions.undecided > 0; }
 
 double fewest_time_bits(const row& r) {
@@ -41,7 +41,7 @@ bool without_error(const row& r) {
     return exact;
 }
 
-// What a row costs to be wrong: first decisions, then the largest error.
+// How wrong a row is: the share of wrong or open decisions, then the largest error.
 std::tuple<double, double> badness(const row& r) {
     const auto evaluated = static_cast<double>(std::max<std::size_t>(r.decisions.evaluated, 1));
     return {static_cast<double>(r.decisions.wrong() + r.decisions.undecided) / evaluated, largest_time_error(r)};
@@ -60,10 +60,10 @@ void mark_front(results& found) {
     }
 }
 
-// Times within this ratio are the same, as far as one run can tell.
+// Times whose ratio is below this count as the same: one run cannot tell them apart.
 constexpr double same_time = 1.1;
 
-// The cheapest type, in the most precise of its variants that cost about the same.
+// The cheapest type, and of its variants that cost about the same the most precise.
 template <class Good>
 std::optional<choice> cheapest(const std::vector<overall>& candidates, Good good) {
     const auto qualifies = [&](const overall& o) { return o.complete && o.how.nanoseconds < infinity && good(o); };

@@ -15,10 +15,10 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 // A choice of type, variant and root over all groups in which it was measured.
 struct overall {
     choice how;
-    std::size_t wrong = 0;     // and undecided
+    std::size_t wrong = 0;     // or undecided
     std::size_t evaluated = 0; // pairs
     std::size_t times = 0;     // of τ and the crossings that were measured
-    double fewest_bits = 0;    // of them; infinite where all are exact, or none is due
+    double fewest_bits = 0;    // of these times; infinite where all are exact, or none is due
     bool exact = false;        // every value of every quantity was without error, and no decision wrong
     bool complete = false;     // measured in every group
 };

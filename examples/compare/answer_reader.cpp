@@ -66,7 +66,7 @@ class answer_reader final : public answer_sink {
     const truth& right_;
     answer given_;
     std::optional<computed_sink> discriminant_, time_;
-    std::deque<computed_sink> positions_, velocities_; // which don't move
+    std::deque<computed_sink> positions_, velocities_; // deques: requests keep references to the elements
 };
 
 } // namespace
@@ -79,7 +79,7 @@ void computed_sink::interval(const binary_number& low, const binary_number& high
     value_ = compare::interval{wide_of(low), wide_of(high)};
 }
 
-// An integer times or over a power of ten, rounded once.
+// digits · 10^exponent, rounded once.
 void computed_sink::decimal(bool negative, const std::string& digits, long exponent) {
     const wide whole(exact_integer{digits});
     const auto places = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent);

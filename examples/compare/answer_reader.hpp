@@ -1,11 +1,11 @@
-// Reads what number types tell, as numbers of Boost.
+// Reads the answers of a number type as numbers of Boost.
 #pragma once
 
 #include "score.hpp"
 
 namespace compare {
 
-// One number.
+// Receives one number.
 class computed_sink final : public number_sink {
   public:
     [[nodiscard]] const computed& value() const { return *value_; }
@@ -21,7 +21,7 @@ class computed_sink final : public number_sink {
     std::optional<computed> value_;
 };
 
-// What a type says to one pair. right: what it should be.
+// The answer of a number type to one pair. right: the true answer.
 [[nodiscard]] answer read_answer(solver& of, std::size_t how, std::size_t pair, const truth& right);
 
 } // namespace compare

@@ -13,11 +13,11 @@ namespace {
 // The squared distance from a feature while the nearest point of its line or plane lies on it: a t² + 2 h t + c.
 struct piece {
     wide a, h, c;
-    std::optional<wide> low = std::nullopt, high = std::nullopt; // of t
+    std::optional<wide> low = std::nullopt, high = std::nullopt; // bounds of t; unbounded without
     bool never = false;
     bool is_rim = false, is_face = false;
 
-    // Restricted to the times at which 0 <= at + t by <= 1.
+    // Restricts it to the times t at which 0 <= at + t by <= 1.
     void restrict_to(const wide& at, const wide& by) {
         if (by == 0) {
             never = never || at < 0 || at > 1;
@@ -32,7 +32,7 @@ struct piece {
     }
     [[nodiscard]] bool holds_at(const wide& t) const { return !never && !(low && t < *low) && !(high && t > *high); }
     [[nodiscard]] wide at(const wide& t) const { return (a * t + 2 * h) * t + c; }
-    // The time from 0 on at which it is least.
+    // The time, not below 0, at which the distance is least.
     [[nodiscard]] std::optional<wide> least_at() const {
         const wide from = low && *low > 0 ? *low : wide(0);
         if (never || (high && *high < from)) {
@@ -43,12 +43,12 @@ struct piece {
     }
 };
 
-// From a point.
+// The distance from a point.
 template <int N>
 piece from_point(const wide_vec<N>& w, const wide_vec<N>& u) {
     return {graze::dot(u, u), graze::dot(w, u), graze::dot(w, w)};
 }
-// From the segment along e.
+// The distance from the segment along e.
 template <int N>
 piece from_segment(const wide_vec<N>& w, const wide_vec<N>& u, const wide_vec<N>& e) {
     const wide ee = graze::dot(e, e), we = graze::dot(w, e), ue = graze::dot(u, e);
@@ -56,14 +56,14 @@ piece from_segment(const wide_vec<N>& w, const wide_vec<N>& u, const wide_vec<N>
     p.restrict_to(wide(we / ee), wide(ue / ee));
     return p;
 }
-// From the plane of normal n.
+// The distance from the plane of normal n.
 template <int N>
 piece from_plane(const wide_vec<N>& w, const wide_vec<N>& u, const wide_vec<N>& n) {
     const wide nn = graze::dot(n, n), wn = graze::dot(w, n), un = graze::dot(u, n);
     return {un * un / nn, wn * un / nn, wn * wn / nn};
 }
 
-// The features of a wall or a triangle: the face, which is the segment itself in the plane, first.
+// The features of a wall or a triangle, the face first: in the plane, that is the segment itself.
 template <int N>
 std::vector<piece> features(const wide_vec<N>& w, const wide_vec<N>& u, const std::array<wide_vec<N>, N - 1>& edge,
                             bool is_triangle) {
@@ -111,7 +111,7 @@ std::vector<piece> features(const wide_vec<N>& w, const wide_vec<N>& u, const st
 
 double share_of(const wide& x, const wide& by) { return by == 0 ? 0.0 : scaled(wide(abs(x) / by), 0); }
 
-// Of a face that the centre goes through: how far inside the rim, squared.
+// If the centre goes through the face: the squared distance from there to the rim.
 std::optional<wide> depth_of_crossing(const std::vector<piece>& pieces, const wide& speed_square) {
     const piece& face = pieces.front();
     const auto t = face.is_face ? face.least_at() : std::nullopt;

@@ -5,9 +5,8 @@
 // start from: |Δx|² + R², |x - point|² + r², or |x - corner|² + the edges' |e|² + r². The distances are relative:
 //   receding     |f'(0)|/(2 L |Δu|): whether the two come closer
 //   overlapping  |f(0)|/L²
-//   hitting      |least f|/L²; where the centre goes through a wall, (ρ² + r²)/L², ρ being the distance of that place
-//   from
-//                the wall's rim. A plane is neither missed nor grazed: 1.
+//   hitting      |least f|/L²; where the centre goes through a wall, (ρ² + r²)/L², where ρ is the distance
+//                from there to the wall's rim; for a plane, which is neither missed nor grazed, 1
 #pragma once
 
 #include "problem.hpp"

@@ -16,7 +16,7 @@ wide_vec<N> magnitudes(const wide_vec<N>& x) {
     return graze::make_vec<N>([&](int i) { return wide(abs(x[i])); });
 }
 
-// Σ |x_i y_i|, x given by its magnitudes.
+// Σ |x_i y_i|, where x is given by its magnitudes.
 template <int N>
 wide weight(const wide_vec<N>& x, const wide_vec<N>& y) {
     return graze::dot(x, magnitudes(y));
@@ -83,7 +83,7 @@ void set_edge_condition(truth& t, const graze::ball<3, exact>& ball, const graze
                                                          : ratio(sum, tau * two * graze::dot(g, cross(u, e)));
 }
 
-// The corner of the wall with this index, and where edge `index` begins.
+// The corner of this index.
 template <int N>
 graze::vec<N, exact> corner_of(const graze::wall<N, exact>& wall, int index) {
     graze::vec<N, exact> result = wall.corner;

@@ -25,7 +25,7 @@ const row* match(const std::vector<row>& rows, const row& like) {
 
 std::string name_of_row(const row& r) { return r.group + ": " + r.type + " " + r.variant + "/" + r.root; }
 
-// How many doublings lie between the two.
+// How many doublings lead from one to the other.
 double doublings(double before, double after) {
     if (before == after) {
         return 0;
@@ -35,12 +35,12 @@ double doublings(double before, double after) {
                : infinity;
 }
 
-// Notes what changed of one row, each in its list.
+// Notes each figure of a row that changed in the list that it belongs to.
 class row_difference {
   public:
     row_difference(difference& all, const row& before) : all_(all), name_(name_of_row(before)) {}
 
-    // More is worse.
+    // A figure of which more is worse.
     void note(const std::string& what, double before, double after) {
         if (before != after) {
             const auto [x, y] = told_apart(before, after);
@@ -71,7 +71,7 @@ void compare_errors(row_difference& noted, const std::string& what, const error_
     noted.note(what + ", values that should be 0 and are not", before.unscaled, after.unscaled);
     noted.note(what + ", values that are not finite", before.not_finite, after.not_finite);
     if (before.count == 0 || after.count == 0) {
-        return; // a decision that changed says so
+        return; // decisions changed then, and are noted as such
     }
     noted.note(what + ", largest error", before.largest, after.largest);
     noted.note(what + ", median error", before.median, after.median);
@@ -109,18 +109,18 @@ void compare_rows(difference& all, const row& before, const row& after) {
     }
 }
 
-// Times of one row before and after, and how likely chance makes such a difference.
+// The times of one row before and after, and the probability that chance makes such a difference.
 struct compared_time {
     std::string name;
     double before, after;             // medians
-    double least_before, least_after; // of the repeats, which other work on the machine disturbs least
+    double least_before, least_after; // the least of the repeats: other work on the machine disturbs it least
     double chance;
 };
 
-constexpr double notable_ratio = 1.1; // less is not worth a word, whatever its significance
+constexpr double notable_ratio = 1.1; // a smaller change is not reported, however significant
 constexpr double notable_chance = 0.01;
 
-// Without repeats, in old files, quartiles that do not touch stand for a difference.
+// Old files have no repeats. Of them, times differ if their quartiles do not overlap.
 std::optional<compared_time> time_of(const row& x, const row& y) {
     if (!x.nanoseconds || !y.nanoseconds) {
         return std::nullopt;
@@ -138,18 +138,18 @@ std::optional<compared_time> time_of(const row& x, const row& y) {
                          probability_of_no_difference(x.repeated, y.repeated)};
 }
 
-// What all rows have in common is the machine's: its load, its clock.
+// The median ratio. What all rows have in common is due to the machine: its load, its clock.
 double common_ratio(const std::vector<compared_time>& times) {
     std::vector<double> ratios;
     for (const compared_time& t : times) {
         ratios.push_back(t.least_after / t.least_before);
     }
     std::sort(ratios.begin(), ratios.end());
-    constexpr std::size_t enough = 8; // rows, else one change would be half of what they have in common
+    constexpr std::size_t enough = 8; // rows: of fewer, one row that changed would be too large a part
     return ratios.size() < enough ? 1 : ratios[ratios.size() / 2];
 }
 
-// Of k tests the least probability must be below 1%/k, the next below 1%/(k - 1), and so on.
+// Holm's test: of k probabilities the least must be below 1%/k, the next one below 1%/(k - 1), and so on.
 void compare_times(difference& all, std::vector<compared_time> times) {
     all.times_compared = times.size();
     all.common_ratio = common_ratio(times);

@@ -1,4 +1,4 @@
-// What is behind an exact_view, and numbers without Boost as numbers of Boost.
+// Between exact_view and the numbers without Boost on one side and Boost's numbers on the other.
 #pragma once
 
 #include "convert.hpp"
@@ -7,7 +7,7 @@
 namespace compare {
 
 struct exact_access {
-    [[nodiscard]] static exact_view view(const exact& x) { return exact_view(&x); } // for as long as x lives
+    [[nodiscard]] static exact_view view(const exact& x) { return exact_view(&x); } // valid as long as x lives
     [[nodiscard]] static const exact& behind(const exact_view& x) { return *static_cast<const exact*>(x.value_); }
 };
 

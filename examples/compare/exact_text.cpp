@@ -20,7 +20,7 @@ bool is_digit(char c, bool hexadecimal) {
     return (c >= '0' && c <= '9') || (hexadecimal && lower(c) >= 'a' && lower(c) <= 'f');
 }
 
-// Takes the text apart from the left.
+// Reads the text from the left, piece by piece.
 class scanner {
   public:
     explicit scanner(std::string_view text) : text_(text), rest_(text) {}
@@ -35,7 +35,7 @@ class scanner {
         return true;
     }
 
-    bool take_sign() { // true for a minus
+    bool take_sign() { // true if it is a minus
         if (take('-')) {
             return true;
         }
@@ -53,7 +53,7 @@ class scanner {
         return digits;
     }
 
-    // An exponent after its letter, refused beyond ±largest.
+    // The exponent that follows its letter; throws if it is beyond ±largest.
     long take_exponent(long largest) {
         const bool negative = take_sign();
         const std::string_view digits = take_digits();

@@ -64,7 +64,7 @@ told_pairs wrong_pairs(const results& found, const std::vector<found_extreme>& a
     if (wrong.empty()) {
         return {};
     }
-    // Far from the border a mistake is the worst.
+    // The farther from the border, the worse the mistake.
     std::stable_sort(wrong.begin(), wrong.end(),
                      [](const auto& x, const auto& y) { return x.pair->border > y.pair->border; });
     text_table table;
@@ -75,7 +75,7 @@ told_pairs wrong_pairs(const results& found, const std::vector<found_extreme>& a
     table.column("says", true);
     table.column("in truth", true);
     table.column("from the border");
-    // The forms of a type that say the same of a pair share a line.
+    // Forms of a type that give the same answer to a pair share a line.
     std::vector<std::pair<found_extreme, std::vector<std::string>>> told;
     for (const found_extreme& w : wrong) {
         const auto same = std::find_if(told.begin(), told.end(), [&](const auto& t) {
@@ -112,7 +112,7 @@ told_pairs worst_pairs(const results& found, const std::vector<found_extreme>& a
     table.column("in truth", true);
     std::size_t first = 0;
     for (const type_information& t : found.types) {
-        // Of a type's forms the one that is least bad at its worst.
+        // Of the type's forms, the one whose largest error is smallest.
         const found_extreme* best = nullptr;
         std::set<std::string> forms;
         for (const found_extreme& f : all) {
@@ -183,9 +183,9 @@ std::string extremes_text(const results& found) {
 
 namespace {
 
-// What is said of one pair. Forms of a type that say the same stand together.
+// The answers to one pair. Forms of a type that give the same answer share a line.
 std::string answers_text(const results& found, const std::string& group, std::size_t pair) {
-    std::vector<std::pair<std::string, std::string>> told; // by whom, and what
+    std::vector<std::pair<std::string, std::string>> told; // an answer, and who gave it
     for (const row& r : found.rows) {
         std::string said;
         for (const extreme_pair& e : r.extremes) {

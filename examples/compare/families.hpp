@@ -25,8 +25,8 @@ struct family_description {
 template <int N>
 [[nodiscard]] problem<N> to_problem(const families::pair_of_doubles<N>& pair, const std::string& group);
 
-// count pairs of the family; the same for the same seed on every platform, and the first ones of a longer draw. Throws
-// input_error that lists the names if there is no such family.
+// The first `count` pairs of the family: the same for the same seed on every platform. Throws input_error, which lists
+// the families' names, if there is no family of this name.
 template <int N>
 [[nodiscard]] std::vector<problem<N>> draw_family(const std::string& name, std::size_t count, std::uint64_t seed);
 

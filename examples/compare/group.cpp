@@ -17,7 +17,7 @@ namespace {
 
 using stratum_key = std::tuple<pair_kind, graze::encounter>;
 
-// Pair i of a stratum of n stands at (i + 1/2)/n of the whole.
+// Pair i of the n of its kind and encounter stands at (i + 1/2)/n of the whole.
 std::vector<std::size_t> interleaved(const std::vector<truth>& truths) {
     std::map<stratum_key, std::size_t> sizes, seen;
     for (const truth& t : truths) {

@@ -11,7 +11,7 @@
 
 namespace compare {
 
-// In an order in which any first part holds every kind of pair and of encounter in about its share.
+// Ordered so that every initial part holds each kind of pair and of encounter in about its share.
 template <int N>
 struct group_pairs {
     std::vector<problem<N>> problems;
@@ -24,18 +24,18 @@ struct group {
 };
 
 // Solves the pairs exactly, orders them and fills in what information says of them: dimension, pairs, kinds,
-// encounters, conditions, places. pairs_of is left alone.
+// encounters, conditions, places. It does not change information.pairs_of.
 template <int N>
 [[nodiscard]] group make_group(group_information information, std::vector<problem<N>> problems,
                                const progress_line& line);
 
-// The pair of this number (see pair_information), with all that is told of it; empty if the group does not hold it.
+// The pair of this number (see pair_information) with all its fields; empty if it is not in the group.
 [[nodiscard]] std::optional<pair_information> pair_of(const group& of, std::size_t number);
 
-// Every pair as the precision regression reads it, with the command that shows it.
+// Every pair as a line of the precision regression's input, with the command that shows it.
 [[nodiscard]] std::string lines_of_pairs(const std::vector<group>& groups, const std::string& command);
 
-// Fills in what the groups of the results show: the pairs that their rows are at their worst on.
+// Fills in the pairs on which rows are at their worst.
 void show_extremes(results& found, const std::vector<group>& groups);
 
 } // namespace compare

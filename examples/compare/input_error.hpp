@@ -13,15 +13,15 @@ class input_error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// text as it can stand in that line and on a terminal: at most `longest` bytes of it. Control characters, characters
-// that change how others look (formatting_at) and bytes that are not UTF-8 stand as \xNN.
+// At most `longest` bytes of text, fit for that line and for a terminal: control characters, characters that change how
+// others look (formatting_at) and bytes that are not UTF-8 are written as \xNN.
 [[nodiscard]] std::string printable(const std::string& text, std::size_t longest = 60);
 
-// The bytes of the character at text[at] if it is one that is not seen but changes how others look, such as a
-// right-to-left override or a line separator; otherwise 0.
+// If the character at text[at] is invisible but changes how others look, such as a right-to-left override or a line
+// separator: its length in bytes. Otherwise 0.
 [[nodiscard]] std::size_t formatting_at(std::string_view text, std::size_t at);
 
-// A message on one line, as printable as its text.
+// The message on one line, with the same characters replaced.
 [[nodiscard]] std::string one_line(std::string message);
 
 } // namespace compare

@@ -15,7 +15,7 @@ namespace compare {
 
 namespace {
 
-// Numbers the pairs over all groups, and leaves only the one of --pair if that is given.
+// Numbers the pairs across all groups and, with --pair, keeps only that one.
 template <int N>
 void number(std::vector<problem<N>>& pairs, std::size_t& last, std::optional<std::size_t> only) {
     for (problem<N>& p : pairs) {

@@ -9,7 +9,7 @@
 
 namespace compare {
 
-// Draws or reads them, and solves them exactly. Throws input_error.
+// Draws or reads the pairs and solves them exactly. Throws input_error.
 [[nodiscard]] std::vector<group> groups_of(const options& o, const progress_line& line);
 
 } // namespace compare

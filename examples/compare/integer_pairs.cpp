@@ -10,7 +10,7 @@ namespace {
 
 using Z = exact_integer;
 
-// The least common denominator of the numbers that it is shown.
+// The least common denominator of the numbers that were included.
 class common_denominator {
   public:
     void include(const exact& x) { value_ = lcm(value_, Z(denominator(x))); }

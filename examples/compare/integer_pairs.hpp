@@ -1,4 +1,4 @@
-// How a pair meets, decided in integers: much faster than in rationals, which reduce a fraction in every operation.
+// Encounters decided in integers: much faster than in rationals, which reduce a fraction in every operation.
 #pragma once
 
 #include "rounding.hpp"
@@ -13,8 +13,8 @@
 
 namespace compare {
 
-// A scene times the common denominators of its lengths and of its velocities, and each normal times its own. Encounters
-// don't change.
+// A scene in integers: lengths and velocities are multiplied by their common denominators, each normal by its own. That
+// changes no encounter.
 template <int N>
 struct integer_scene {
     std::vector<graze::ball<N, exact_integer>> balls; // masses are not used

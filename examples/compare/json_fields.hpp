@@ -1,4 +1,4 @@
-// The fields of results by name, once, for writing and for reading them.
+// The names and fields of results, listed once for both writing and reading.
 #pragma once
 
 #include "results.hpp"
@@ -11,19 +11,19 @@ namespace compare {
 template <class S, class T>
 concept some = std::same_as<std::remove_const_t<S>, T>;
 
-// A field that has no value unless `known`: null in JSON.
+// A field that is null in JSON unless `known`.
 template <class T>
 struct where_known {
     T& value;
     bool known;
-    std::remove_const_t<T> unknown{}; // what stands for null
+    std::remove_const_t<T> unknown{}; // the value that a null is read as
 };
 template <class T>
 where_known(T&, bool) -> where_known<T>;
 template <class T, class U>
 where_known(T&, bool, U) -> where_known<T>;
 
-// A field that files of version 1 do not have.
+// A field that files of schema version 1 do not have.
 template <class T>
 struct since_2 {
     T& value;

@@ -107,7 +107,7 @@ json written(const T& x) {
     }
 }
 
-// Where something stands, for messages.
+// The place of a value in a file, for messages.
 struct place {
     const std::string& file;
     std::string pointer;

@@ -9,10 +9,10 @@ namespace compare {
 
 [[nodiscard]] std::string to_json(const results& found);
 
-// Throws input_error that names the file, the place in it and what is wrong.
+// Throws input_error, which names the file, the place in it and what is wrong.
 [[nodiscard]] results read_results(const std::string& path);
 
-// The times in the format of Google Benchmark's --benchmark_format=json: each repeat of each row, so that its
+// The times in the format of Google Benchmark's --benchmark_format=json, with each repeat of each row, as its
 // compare.py reads them.
 [[nodiscard]] std::string to_benchmark_json(const results& found);
 

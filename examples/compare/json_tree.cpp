@@ -10,7 +10,7 @@ namespace compare {
 
 namespace {
 
-// long double, so that the parser, which converts every number on its way, takes those beyond the range of double.
+// long double, because the parser converts every number and must not refuse those beyond the range of double.
 using json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 constexpr std::size_t deepest = 8;
@@ -87,7 +87,7 @@ class tree_builder final : public nlohmann::json_sax<json> {
         if (open_.size() == deepest) {
             fail_at(file_, pointer(true), "arrays and objects nested more than eight deep");
         }
-        open_.push_back(&add(type)); // stays where it is: its parent gets no other item before it is closed
+        open_.push_back(&add(type)); // stays valid: the parent gets no other item before this one is closed
         return true;
     }
 
@@ -96,7 +96,7 @@ class tree_builder final : public nlohmann::json_sax<json> {
         return true;
     }
 
-    // Of the innermost open array or object, or of the item that comes next in it.
+    // The pointer of the innermost open array or object or, if `next`, of the item that comes next in it.
     [[nodiscard]] std::string pointer(bool next) const {
         std::string result;
         for (std::size_t i = 0; i < open_.size(); ++i) {

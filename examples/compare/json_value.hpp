@@ -9,13 +9,13 @@
 
 namespace compare {
 
-// Which numbers will do.
+// Which numbers are allowed.
 struct number_rule {
     bool (*is_good)(const exact&);
-    const char* otherwise; // what it is then called
+    const char* otherwise; // what a message calls any other number
 };
 
-// Every function throws input_error that names the file and the JSON pointer if the value is not what is asked for.
+// Where a value is not what a function expects, it throws input_error, which names the file and the JSON pointer.
 class json_value {
   public:
     // The whole of a file's tree. file and root must outlive the value. as_double: numbers are rounded to the nearest
@@ -25,21 +25,21 @@ class json_value {
 
     [[noreturn]] void fail(const std::string& what) const;
 
-    // Of an object: every key is one of these, and the required ones are there.
+    // For an object: checks that every key is one of these and that the required ones are present.
     void expect_keys(std::initializer_list<const char*> required, std::initializer_list<const char*> optional) const;
     [[nodiscard]] bool has(const std::string& key) const;
-    [[nodiscard]] json_value at(const std::string& key) const; // a key that it has
+    [[nodiscard]] json_value at(const std::string& key) const; // the key must be present
 
-    // Of an array.
+    // For an array.
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] json_value at(std::size_t index) const;
 
     [[nodiscard]] const std::string& text() const;
 
-    // Whether it is a string that says infinity.
+    // Whether it is a string that says infinity (see is_infinity).
     [[nodiscard]] bool is_infinite() const;
 
-    // A number, or a string that parse_exact reads. It is good both as written and as rounded, and does not overflow.
+    // A number, or a string for parse_exact. It must obey the rule both as written and as rounded, and not overflow.
     [[nodiscard]] exact number(const number_rule& rule) const;
     [[nodiscard]] exact number() const;
 
@@ -49,7 +49,7 @@ class json_value {
         return graze::make_vec<N>([&](int i) { return at(static_cast<std::size_t>(i)).number(); });
     }
 
-    // Not of length 0, once rounded.
+    // Must not have length 0, even after rounding. otherwise: what a message calls such a vector.
     template <int N>
     [[nodiscard]] graze::vec<N, exact> vector_not_zero(const char* otherwise) const {
         const auto result = vector<N>();

@@ -37,9 +37,9 @@ namespace compare {
 
 namespace {
 
-constexpr int worse = 1, failed = 2, stopped = 130; // the last as of a program that SIGINT ended
+constexpr int worse = 1, failed = 2, stopped = 130; // the last one as of a program that SIGINT ended
 
-// In the order of the list, each once; another name stands for what it names.
+// In the order of all_types(), each once. An alias stands for the type that it names.
 std::vector<measurable> types_of(const options& o) {
     std::vector<measurable> all = all_types();
     if (o.types.empty()) {
@@ -62,7 +62,7 @@ std::vector<measurable> types_of(const options& o) {
     return chosen;
 }
 
-// How the user calls this program: a script that does says so.
+// How the user calls this program. A script that starts it sets the variable.
 std::string called() {
     const char* script = std::getenv("GRAZE_COMPARE_CALLED");
     return script == nullptr ? "graze-compare" : script;
@@ -82,7 +82,7 @@ std::string inputs_of(const options& o) {
     return text + (o.seed != 1 ? " --seed " + std::to_string(o.seed) : "");
 }
 
-// Whether the standard output is a file's; it then holds nothing else.
+// Whether some output file is the standard output, which then holds nothing else.
 bool writes_to_stream(const options& o) {
     return o.json == standard_stream || o.report == standard_stream || o.picture == standard_stream ||
            o.benchmark_json == standard_stream || o.inputs_file == standard_stream;
@@ -113,7 +113,7 @@ void check_outputs(const options& o) {
     }
 }
 
-// What takes long comes last, after a table of the others where one is shown.
+// Types that take long come last, after a table of the others if `shown`.
 void measure_in_two_parts(results& found, const std::vector<measurable>& types, const std::vector<group>& groups,
                           const measurement_plan& plan, const progress_line& line, const table_options* shown) {
     std::vector<measurable> soon = types;
@@ -137,7 +137,7 @@ void measure_in_two_parts(results& found, const std::vector<measurable>& types, 
         measure_all(found, later, groups, plan, line);
         line.show("");
     }
-    // In the order of the list, as if in one part.
+    // Puts types and rows into the order of the list, as if they had been measured in one part.
     const auto place = [&](const std::string& name) {
         return std::find_if(types.begin(), types.end(), [&](const auto& m) { return m.information.name == name; });
     };
@@ -197,7 +197,7 @@ int run_comparison(const options& o) {
     if (!o.report.empty()) {
         write_report(found, o.report);
     }
-    if (!o.picture.empty()) { // last: without gnuplot this one fails
+    if (!o.picture.empty()) { // last, since it fails without gnuplot
         write_picture(found, o.picture);
     }
     return run::interrupted() ? stopped : 0;
@@ -211,7 +211,7 @@ int run_diff(const options& o) {
     }
     const auto shown = [&](std::size_t i) { return printable(o.result_files[i], 200); };
     const std::size_t last = all.size() - 1;
-    // With more than two, the last one against the one before.
+    // Of more than two results, the last is compared with the one before it.
     const difference found = compare_results(all[last - 1], all[last]);
     if (found.compared == 0) {
         throw input_error(shown(last) + ": no row in common with " + shown(last - 1));
@@ -229,7 +229,7 @@ int run_diff(const options& o) {
     return found.worse.empty() ? 0 : worse;
 }
 
-// Certified runs are a program of their own, which is built when one is wanted. Returns only by an exception.
+// Certified runs are a program of their own, built only when wanted. This returns only by an exception.
 [[noreturn]] void hand_over_run(char** argv) {
 #if COMPARE_HAS_MPFI
     std::error_code error;

@@ -1,4 +1,4 @@
-// One number type: the formulas of graze::solve in it, in every variant, on every pair.
+// One number type: graze::solve in it, in every variant, on every pair.
 #pragma once
 
 #include "solve_pairs.hpp"
@@ -21,7 +21,7 @@ void read_velocity(const graze::vec<N, R>& x, answer_sink& to) {
     }
 }
 
-// Tells one solution.
+// Passes one solution on, number by number.
 template <int N, class T>
 class answering_sink final : public solution_sink<N, T> {
     using real = graze::root_type<T>;
@@ -54,7 +54,7 @@ class answering_sink final : public solution_sink<N, T> {
     answer_sink& to_;
 };
 
-// Forgets solutions, but lets lazy numbers be computed first.
+// Drops solutions, after having lazy numbers computed.
 template <int N, class T>
 class forgetting_sink final : public solution_sink<N, T> {
     using real = graze::root_type<T>;
@@ -140,7 +140,7 @@ template <class T>
     return std::make_unique<formula_solver<3, T>>(list);
 }
 
-// What the traits say of T, ready to be completed.
+// What T's traits say; the caller fills in the rest.
 template <class T>
 [[nodiscard]] measurable measurable_type(const char* library, bool uses_heap = false, const char* note = "") {
     using traits = graze::number_traits<T>;

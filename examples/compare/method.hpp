@@ -1,4 +1,4 @@
-// The variants of the formulas by name, and the plan of a measurement.
+// The names of the formulas' variants, and the plan of a measurement.
 #pragma once
 
 #include "solver.hpp"
@@ -10,7 +10,7 @@ namespace compare {
 [[nodiscard]] std::vector<method> all_methods();
 
 struct measurement_plan {
-    std::vector<method> methods;  // measured where the type can run them
+    std::vector<method> methods;  // those that a type cannot run are left out
     double scoring_seconds = 2.0; // for all methods of a type in a group; an exact type that takes longer stops early
     double timing_seconds = 0.5;  // the same for its times; aimed at, not kept by types that take milliseconds a pair;
                                   // 0: nothing is timed

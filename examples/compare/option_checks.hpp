@@ -1,4 +1,4 @@
-// What options may hold, said in the words of their user.
+// Checks of options' values, with messages in the user's words.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,7 +11,7 @@
 
 namespace compare {
 
-// A whole number in digits alone: CLI11 by itself takes "-1" and what is too large for unsigned numbers too.
+// A whole number, digits only. CLI11's own check also accepts "-1", and numbers too large for an unsigned.
 [[nodiscard]] inline CLI::Validator whole_from(std::uint64_t least, std::uint64_t most) {
     return {[least, most](const std::string& text) -> std::string {
                 std::uint64_t value = 0;

@@ -24,7 +24,7 @@ std::string list_of_variants() {
     return text;
 }
 
-// "lagrange" is both of its roots, "lagrange/stable" one.
+// "lagrange" means both of its roots, "lagrange/stable" one.
 std::vector<method> methods_of(const std::vector<std::string>& names) {
     const std::vector<method> all = all_methods();
     std::vector<method> chosen;
@@ -57,7 +57,7 @@ std::vector<quantity> quantities_of(const std::vector<std::string>& names) {
     return chosen;
 }
 
-// What belongs to a subcommand stands after it: before it, it would say nothing.
+// An option of a subcommand must stand after it: before it, it would have no effect.
 void expect_nothing_before(const CLI::App& app, const std::string& subcommand, const std::string& usage) {
     for (const CLI::Option* option : app.get_options()) {
         if (option->count() > 0) {
@@ -149,7 +149,7 @@ options parse_options(int argc, const char* const* argv) {
         ->check(named());
     CLI::App* running = app.add_subcommand("run", "Prove the sequence of a scene's collisions and find how long each "
                                                   "number type follows it (run --help)");
-    running->set_help_flag(); // what follows is another program's
+    running->set_help_flag(); // what follows are the other program's options
     running->prefix_command();
     try {
         app.parse(argc, argv);

@@ -24,19 +24,19 @@ struct options {
     int dimension = 2; // of a family
     number_input numbers = number_input::as_double;
     bool all = false;
-    std::vector<std::string> types; // all, if empty
+    std::vector<std::string> types; // all types, if empty
     std::vector<method> methods;
     table_options table;
     int digits = 15;
     double timing = 0.5;
-    std::optional<std::size_t> pair; // this one alone, by its number
+    std::optional<std::size_t> pair; // only the pair of this number
     std::string json, report, picture, benchmark_json, pairs_folder, inputs_file;
-    std::vector<std::string> result_files; // of diff, from the earliest on
+    std::vector<std::string> result_files; // of diff, the earliest first
     std::string diff_report;
     std::string command; // as typed
 };
 
-// Throws input_error that names the option and what is wrong with it.
+// Throws input_error, which names the option and what is wrong with it.
 [[nodiscard]] options parse_options(int argc, const char* const* argv);
 
 } // namespace compare

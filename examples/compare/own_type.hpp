@@ -1,4 +1,4 @@
-// Number types and formulas of the user's, as rows beside all others: what graze_add_compare_program compiles.
+// Number types and formulas of the user's as rows beside all others, for graze_add_compare_program.
 #pragma once
 
 #include "measure.hpp"
@@ -11,11 +11,11 @@
 
 namespace compare {
 
-// Tells it exactly.
+// Passes the reading's exact value on.
 void tell(const graze::precision::reading& x, const request& asked);
 
-// Bases for the converter and the reader of a type that has a graze::precision::number_access. What it starts from is
-// the double nearest to the exact number.
+// Bases for the converter and the reader of a type with a graze::precision::number_access. The type gets the double
+// nearest to the exact number.
 template <class T>
 struct converter_by_access {
     [[nodiscard]] static T from(const exact_view& x) { return graze::precision::number_access<T>::from(x.nearest()); }
@@ -32,19 +32,19 @@ inline constexpr bool is_solution<graze::ball_solution<N, T>> = true;
 template <int N, class T>
 inline constexpr bool is_solution<graze::wall_solution<N, T>> = true;
 
-// Whether F answers for these two with a whole solution.
+// Whether F takes an A and a B, and so returns a whole solution.
 template <class F, class A, class B>
 concept solves = requires(const A& a, const B& b) {
     F{}(a, b);
 };
 
-// Whether F is a discriminant of two balls, from their relative motion.
+// Whether F computes the discriminant of two balls from their relative motion.
 template <class F, int N, class T>
 concept discriminant_of_balls = requires(const graze::ball<N, T>& a) {
     { F{}(graze::relative_motion_of(a, a)) } -> std::convertible_to<T>;
 };
 
-// By F what F is about, the rest by graze::solve.
+// Solves by F the pairs that F takes, and all others by graze::solve.
 template <class F, int N, class T>
 void solve_pair_by(const input<N, T>& pair, solution_sink<N, T>& sink) {
     const auto by_formula = [&](const auto& other) {
@@ -129,7 +129,7 @@ class own_solver final : public solver {
             using access = graze::precision::number_access<T>;
             mass = inverse.is_zero() ? access::from(std::numeric_limits<double>::infinity())
                                      : access::from(value_of<double>(inverse.inverse_rounded(format_of<double>())));
-        } catch (const std::exception&) { // what it cannot hold; graze::solve takes the inverse
+        } catch (const std::exception&) { // T cannot hold it; graze::solve takes the inverse
             pair.valid = pair.valid && !solves<F, graze::ball<N, T>, graze::ball<N, T>>;
         }
     }
@@ -145,7 +145,7 @@ template <class T>
     return measurable_type<T>("own");
 }
 
-// Its name is F::name if it has one. Listed as the single form lagrange/stable.
+// The formula F in T, listed as the single form lagrange/stable. Its name is F::name if F has one.
 template <class F, class T>
 [[nodiscard]] measurable own_formula(std::string name) {
     if constexpr (requires { std::string(F::name); }) {

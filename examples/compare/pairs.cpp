@@ -30,8 +30,8 @@ struct place_of_pair {
     std::size_t i, j; // ball i with ball, plane, wall or triangle j
 };
 
-// The pairs of a scene in a fixed order: of each ball those with later balls, planes, walls and triangles. All of them,
-// or some drawn at random. Two infinite masses are no pair.
+// The pairs of a scene in a fixed order: each ball with the balls after it, then with the planes, walls and triangles.
+// Either all of them or some drawn at random. Two infinite masses are not a pair.
 template <int N>
 class candidates {
   public:
@@ -142,8 +142,8 @@ problem<N> make_problem(const exact_scene<N>& scene, const place_of_pair& p, con
     return result;
 }
 
-// An equal share of `largest` to each, or all that it has; the smaller ones first, so that what they leave is shared by
-// the others.
+// Gives each stratum an equal share of `largest`, or all of its pairs if they are fewer. The smallest come first, so
+// that the others share what these leave.
 void share_out(std::array<stratum, kinds * encounters>& strata, std::uint64_t largest) {
     std::array<stratum*, kinds * encounters> by_size{};
     std::transform(strata.begin(), strata.end(), by_size.begin(), [](stratum& s) { return &s; });
@@ -194,7 +194,7 @@ scene_pairs<N> pairs_of(const exact_scene<N>& scene, const std::string& group, s
     result.classified = stratum_of.size();
     share_out(strata, std::min<std::uint64_t>(largest, result.classified));
 
-    // Each pair is taken with the chance that fills its stratum (selection sampling, Knuth's algorithm S).
+    // Takes each pair with the probability that fills its stratum (selection sampling, Knuth's algorithm S).
     std::array<stratum, kinds* encounters> left = strata;
     std::size_t at = 0;
     all.for_each([&](const place_of_pair& p) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t longest_text = 4096;
 
-// Goes through all fields, whatever their names.
+// Cleans every text field, whatever its name.
 struct text_cleaner {
     void clean(std::string& text) { text = printable(text, longest_text); }
     template <class T>
@@ -42,7 +42,7 @@ struct text_cleaner {
     }
     template <class T>
     void operator()(const char* name, T& x) {
-        if (std::string_view(name) != "scene") { // lines of ASCII, see scene_of_pair
+        if (std::string_view(name) != "scene") { // lines of ASCII already, see scene_of_pair
             clean(x);
         }
     }

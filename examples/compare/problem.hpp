@@ -1,4 +1,4 @@
-// The pairs that the program compares on, with exact rational data, from whatever source.
+// The pairs on which the program compares, with exact rational data, whatever their source.
 #pragma once
 
 #include "pair_numbers.hpp"
@@ -20,7 +20,7 @@ namespace compare {
 
 using exact = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
-// A ball with its mass as the inverse, so that 0 is an infinite mass. shape.mass is not used.
+// A ball with the inverse of its mass, in which 0 is an infinite mass. shape.mass is not used.
 template <int N>
 struct exact_ball {
     graze::ball<N, exact> shape;
@@ -33,14 +33,14 @@ struct exact_scene {
     std::vector<graze::plane<N, exact>> planes;
     std::vector<graze::wall<N, exact>> walls;
     std::vector<graze::triangle<exact>> triangles = {}; // in space
-    std::vector<std::uint8_t> inner_edges = {};         // of each triangle, as in graze::scene; runs alone use them
-    graze::vec<N, exact> period = {};                   // which runs heed, not pairs
+    std::vector<std::uint8_t> inner_edges = {};         // of each triangle, as in graze::scene; used by runs only
+    graze::vec<N, exact> period = {};                   // used by runs only
 
     [[nodiscard]] bool is_periodic() const { return graze::squared_norm(period) != 0; }
 };
 
-// One pair: a and, by kind, b, plane or wall; a triangle is the half of `wall` at its corner. group: the scene's name
-// or the family's. hardness: the family's k, or -1.
+// One pair: a and, depending on kind, b, plane or wall. A triangle is the half of `wall` at its corner. group: the name
+// of the scene or the family. hardness: the family's k, or -1.
 template <int N>
 struct problem {
     pair_kind kind = pair_kind::ball_ball;
@@ -50,7 +50,7 @@ struct problem {
     std::string group;
     int hardness = -1;
     std::string name = {};  // "ball 3 and wall 0"; of a family "pair 17"
-    std::size_t number = 0; // over all groups, from 1 on
+    std::size_t number = 0; // counted across all groups, from 1
 };
 
 } // namespace compare

@@ -6,7 +6,7 @@
 
 namespace compare {
 
-// One line on standard error that is written over and over, and leaves nothing behind; or nothing at all.
+// A line on standard error that is overwritten and leaves nothing behind. If it is off, nothing is shown.
 class progress_line {
   public:
     explicit progress_line(bool shown) : shown_(shown) {}
@@ -15,7 +15,7 @@ class progress_line {
     progress_line& operator=(const progress_line&) = delete;
 
     void show(const std::string& text) const;
-    void show(const std::string& text, std::size_t done, std::size_t all) const; // with how much of it is done
+    void show(const std::string& text, std::size_t done, std::size_t all) const; // with the share that is done
 
   private:
     bool shown_;

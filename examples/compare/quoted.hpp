@@ -1,4 +1,4 @@
-// A word as a shell takes it: in quotes where it needs them.
+// A word quoted for a shell, if it needs to be.
 #pragma once
 
 #include <string>

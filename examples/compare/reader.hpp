@@ -1,4 +1,4 @@
-// Tells the value that a number type computed, exactly.
+// Passes on, exactly, the value that a number type computed.
 #pragma once
 
 #include "convert.hpp"
@@ -10,7 +10,7 @@
 
 namespace compare {
 
-// A finite number of a binary type, taken apart by operations that are exact in it.
+// A finite number of a binary type, split into digits by operations that are exact in the type.
 template <class T>
 [[nodiscard]] binary_number taken_apart(T x) {
     const T large = T(65536) * T(65536);
@@ -36,9 +36,9 @@ template <class T>
     return result;
 }
 
-// A type whose values aren't binary floating-point numbers specialises
-//   static void read(const T& x, const request& asked);   tells x
-//   static void settle(const T& x);   only of lazy types: makes x compute what printing it would need; it is timed
+// A type whose values are not binary floating-point numbers specialises this:
+//   static void read(const T& x, const request& asked);   passes x on
+//   static void settle(const T& x);   lazy types only: computes what printing x would need; this is timed
 template <class T>
 struct reader {
     static void read(const T& x, const request& asked) {
@@ -50,7 +50,7 @@ struct reader {
     }
 };
 
-// For an exact type: whether x is the true value, decided in the type itself.
+// For an exact type: whether x is the true value. The type itself decides it.
 template <class T>
 [[nodiscard]] bool is_exactly_right(const T& x, const due_number& due) {
     return due.q.is_zero() && graze::sign(T(x - convert<T>(due.p))) == 0;
@@ -83,7 +83,7 @@ struct reader<graze::sqrt_extension<T>> {
     }
 };
 
-// A base for readers of exact rational types, which provide
+// The base of readers of exact rational types. They provide
 //   static fraction parts_of(const T& x)
 template <class T>
 struct exact_reader {

@@ -23,7 +23,7 @@ namespace {
 
 using namespace report;
 
-// The page as it grows. The first picture that fails tells why; the others are then left out.
+// Builds the page. The first picture that fails leaves its reason here; the later ones are then left out.
 class page {
   public:
     explicit page(const results& found) : found_(found) {}
@@ -43,7 +43,7 @@ class page {
     void panels(const std::function<std::string(const group_information&)>& picture);
     void key();
     void section(const std::string& id, const std::string& head, const std::function<void()>& content);
-    // A table that is closed at first; nothing where it is empty.
+    // A table that is folded at first. An empty table is left out.
     void fold(const std::string& summary, const std::string& table);
     void dots(const std::string& data);
     void pictures();
@@ -128,7 +128,7 @@ void page::panels(const std::function<std::string(const group_information&)>& pi
     }
 }
 
-// The lines of the pictures with a line a type.
+// The key of the pictures in which each type has a line.
 void page::key() {
     if (no_pictures_) {
         return;
@@ -185,7 +185,7 @@ void page::pictures() {
     section("tables", words::tables, [&] { tables(); });
 }
 
-// The script fills it in; without one there is a line that says so.
+// The page's script draws the dots. Without JavaScript, a line says so.
 void page::dots(const std::string& data) {
     const std::string remark = dots_remark(found_);
     add(remark.empty() ? "" : "<p class=\"under\">" + escaped(remark) + "</p>\n");
@@ -243,7 +243,7 @@ void write_picture_file(std::string svg, std::string command, const std::string&
     svg.insert(svg.find('\n') + 1, "<style>\n" + picture_style() + "svg { background: var(--paper); }\n</style>\n");
     svg.insert(4, " xmlns=\"http://www.w3.org/2000/svg\"");
     for (std::size_t at = 0; (at = command.find("--", at)) != std::string::npos;) {
-        command.replace(at, 2, "-\u2060-"); // a comment may not hold two hyphens
+        command.replace(at, 2, "-\u2060-"); // two hyphens are not allowed in a comment of XML
     }
     write_whole_file(path,
                      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Made by: " + escaped(command) + " -->\n" + svg);

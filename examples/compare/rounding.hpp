@@ -14,7 +14,7 @@ inline constexpr binary_format double_format{53, -1021, 1024};
 
 enum class rounding { to_nearest, down, up }; // ties to even; down and up: towards minus and plus infinity
 
-// (-1)^negative · significand · 2^exponent, or an infinity of that sign. significand has at most digits bits.
+// (-1)^negative · significand · 2^exponent, or an infinity of that sign. The significand has at most `digits` bits.
 struct rounded_value {
     bool negative = false;
     bool infinite = false;
@@ -22,7 +22,7 @@ struct rounded_value {
     long exponent = 0;
 };
 
-// x rounded once to the format.
+// x rounded once, to the format.
 [[nodiscard]] rounded_value round_to(const exact& x, const binary_format& format,
                                      rounding direction = rounding::to_nearest);
 
@@ -33,7 +33,7 @@ struct rounded_value {
 [[nodiscard]] double double_below(const exact& x);
 [[nodiscard]] double double_above(const exact& x);
 
-// A finite double's exact value; std::domain_error for any other.
+// The exact value of a finite double. Throws std::domain_error for any other.
 [[nodiscard]] exact exact_of(double x);
 
 } // namespace compare

@@ -78,7 +78,7 @@ prepared_pairs prepared(const group& g) {
         g.pairs);
 }
 
-// Stops after so many seconds.
+// Stops after this many seconds.
 row_score score_of(solver& solves, std::size_t how, const prepared_pairs& pairs, double seconds) {
     const stopwatch since_start;
     row_score score;

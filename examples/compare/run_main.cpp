@@ -1,4 +1,4 @@
-// graze-compare run: the program to which graze-compare hands that command.
+// graze-compare run: the program that graze-compare starts for this command.
 
 #include "input_error.hpp"
 #include "run/run_command.hpp"

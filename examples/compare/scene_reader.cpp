@@ -35,7 +35,7 @@ exact_ball<N> ball_from(const json_value& from) {
     return result;
 }
 
-// Of a wall or a triangle: its corner and edges.
+// The corner and the edges of a wall or a triangle.
 template <int N>
 graze::wall<N, exact> flat_from(const json_value& from) {
     graze::wall<N, exact> result;
@@ -56,7 +56,7 @@ graze::wall<N, exact> flat_from(const json_value& from) {
     return result;
 }
 
-// The edges of a triangle at which nothing is met, a bit each.
+// A bit for each edge of a triangle at which nothing is met.
 std::uint8_t inner_edges_from(const json_value& from) {
     std::uint8_t bits = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {

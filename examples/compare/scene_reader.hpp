@@ -6,8 +6,8 @@
 //    "walls":  [{"corner": [x, y], "edges": [[x, y]]}],
 //    "period": [x, y]}
 //
-// dimension and balls are required; a ball's mass is 1 unless given, and may be "inf". In space vectors have three
-// components and a wall two edges. A number is a JSON number or a string that parse_exact reads.
+// dimension and balls are required. A ball's mass is 1 unless given, and may be "inf". In space vectors have three
+// components, and a wall has two edges. A number is a JSON number or a string that parse_exact reads.
 #pragma once
 
 #include "input_error.hpp"
@@ -30,7 +30,7 @@ struct scene_file {
 // Throws input_error. The file is at most 256 MiB; "-" is the standard input.
 [[nodiscard]] scene_file read_scene(const std::string& path, number_input numbers = number_input::as_double);
 
-// The same from text; file is what messages call it.
+// Reads a scene from text. file: what messages call it.
 [[nodiscard]] scene_file read_scene_text(std::string_view text, const std::string& file,
                                          number_input numbers = number_input::as_double);
 

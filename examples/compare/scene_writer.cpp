@@ -11,7 +11,7 @@ namespace compare {
 
 namespace {
 
-// As scene files take them: a double as a hexadecimal float, any other number as a fraction.
+// Numbers in the form that scene files take: a double as a hexadecimal float, any other number as a fraction.
 struct written_number {
     std::string decimal, hexadecimal;
     [[nodiscard]] const std::string& exactly() const { return hexadecimal.empty() ? decimal : hexadecimal; }
@@ -126,7 +126,7 @@ std::string written_scene(const problem<N>& pair, const std::string& name) {
         break;
     }
     }
-    // In ASCII, so that it can stand on a terminal whatever the scene is called.
+    // In ASCII, so that it is safe on a terminal whatever name the scene has.
     return scene.dump(1, ' ', true, ordered::error_handler_t::replace) + "\n";
 }
 

@@ -9,16 +9,17 @@
 
 namespace compare {
 
-// The pair's numbers, a vector's components together: "a position", "a velocity", "a radius", "a mass", then those of
-// b, of the plane or of the wall.
+// The pair's numbers, the components of a vector together: "a position", "a velocity", "a radius", "a mass", then those
+// of b, of the plane or of the wall.
 [[nodiscard]] std::vector<named_number> numbers_of_pair(const problem<2>& pair);
 [[nodiscard]] std::vector<named_number> numbers_of_pair(const problem<3>& pair);
 
-// A scene file that holds this pair alone, and reads as the same numbers.
+// A scene file with this pair alone, which is read as the same numbers.
 [[nodiscard]] std::string scene_of_pair(const problem<2>& pair, const std::string& name);
 [[nodiscard]] std::string scene_of_pair(const problem<3>& pair, const std::string& name);
 
-// As a line of the precision regression's files (tests/precision/inputs.hpp), each number as the nearest double.
+// The pair as a line of the precision regression's input (tests/precision/inputs.hpp), each number as the nearest
+// double.
 [[nodiscard]] std::string line_of_pair(const problem<2>& pair);
 [[nodiscard]] std::string line_of_pair(const problem<3>& pair);
 

@@ -8,7 +8,7 @@ namespace compare {
 
 namespace {
 
-// A defect that is not zero can't be smaller in any type that wide holds: it would need more digits than they have.
+// A defect smaller than this, but not 0, would need more digits than any number type has that fits into `wide`.
 constexpr long least_defect = -880;
 
 bool is_exactly(const computed& given, const true_value& right) {
@@ -133,7 +133,7 @@ void row_score::add_conservation(const answer& given, const truth& right) {
     if (right.what == graze::encounter::graze || !(before.momentum || before.energy)) {
         return;
     }
-    // The truth conserves both, so an exact answer does when it is the truth.
+    // The truth conserves both. So an answer that equals the truth has no defect.
     bool exact_answer = true;
     for (std::size_t i = 0; i < given.velocities.size(); ++i) {
         const computed& v = given.velocities[i];
@@ -177,7 +177,7 @@ void row_score::add(const answer& given, const truth& right, int hardness, std::
     const auto note = [&](quantity which, std::optional<double> error) {
         note_error(which, error, given, right, number);
     };
-    // D is there whatever was decided of two balls; of a wall, when the same edge or corner was met.
+    // Two balls have a D whatever was decided; a wall has one if the right edge or corner was met.
     if (right.discriminant && given.discriminant && (right.kind == pair_kind::ball_ball || same)) {
         const auto error = add_scalar(quantity::discriminant, *given.discriminant, *right.discriminant);
         if (error) {

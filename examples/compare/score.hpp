@@ -15,7 +15,7 @@
 
 namespace compare {
 
-// A type's answer for one pair. Vectors are laid end to end, as in truth.
+// A type's answer to one pair. Vectors are laid end to end, as in truth.
 struct answer {
     outcome how = outcome::answered;
     graze::encounter what = graze::encounter::recede;
@@ -25,15 +25,15 @@ struct answer {
     std::vector<computed> positions, velocities;
 };
 
-// Whether the type made a decision, and it is the true one.
+// Whether the type made a decision and it is the true one.
 [[nodiscard]] bool same_decision(const answer& given, const truth& right);
 
-// Collects the answers of one row.
+// Collects the answers behind one row.
 class row_score {
   public:
-    // `right` must outlive the score. number: of the pair.
+    // `right` must outlive the score. number: the pair's.
     void add(const answer& given, const truth& right, int hardness, std::size_t number = 0);
-    // Fills in the row, except for its names and times.
+    // Fills in the row except for its names and times.
     void write_to(row& result) const;
 
   private:
@@ -42,7 +42,7 @@ class row_score {
         std::vector<double> times, discriminants;
     };
 
-    // A pair on which the row is worst so far, by a measure of that.
+    // The pair on which the row is worst so far, and by how much.
     struct extreme {
         double measure;
         std::size_t number;
@@ -52,7 +52,7 @@ class row_score {
 
     void add_decision(const answer& given, const truth& right, part& cell, std::size_t number);
     void note_wrong(const char* kind, double distance, const answer& given, const truth& right, std::size_t number);
-    // error: none where the exact value is 0, or infinite: worse than any number.
+    // error: empty if the exact value is 0. Empty and infinite errors are worse than any number.
     void note_error(quantity which, std::optional<double> error, const answer& given, const truth& right,
                     std::size_t number);
     std::optional<double> add_scalar(quantity which, const computed& given, const true_value& right);

@@ -11,7 +11,7 @@ double probability_of_no_difference(const std::vector<double>& x, const std::vec
     if (x.size() < fewest || y.size() < fewest) {
         return 1;
     }
-    std::vector<std::pair<double, bool>> all; // a value, and whether it is of x
+    std::vector<std::pair<double, bool>> all; // a value, and whether it belongs to x
     for (const double value : x) {
         all.emplace_back(value, true);
     }
@@ -20,7 +20,7 @@ double probability_of_no_difference(const std::vector<double>& x, const std::vec
     }
     std::sort(all.begin(), all.end());
     const auto n = static_cast<double>(x.size()), m = static_cast<double>(y.size()), both = n + m;
-    double ranks = 0, ties = 0; // of x; Σ (t³ - t) over the ties of t values
+    double ranks = 0, ties = 0; // x's sum of ranks; Σ (t³ - t) over all values that occur t times
     for (auto first = all.begin(); first != all.end();) {
         const auto last = std::find_if(first, all.end(), [&](const auto& v) { return v.first != first->first; });
         const auto before = static_cast<double>(first - all.begin()), tied = static_cast<double>(last - first);

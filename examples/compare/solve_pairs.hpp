@@ -1,4 +1,4 @@
-// Pairs in one number type, and graze::solve on a row of them.
+// Pairs in one number type, and graze::solve for a list of them.
 #pragma once
 
 #include "reader.hpp"
@@ -10,7 +10,7 @@
 
 namespace compare {
 
-// A pair in T. valid: T can hold its numbers.
+// A pair in T. valid: whether T can hold its numbers.
 template <int N, class T>
 struct input {
     pair_kind kind = pair_kind::ball_ball;
@@ -22,7 +22,7 @@ struct input {
     graze::triangle<T> triangle{}; // in space
 };
 
-// Takes converted numbers off a row.
+// Takes converted numbers, one after the other, from the numbers of a pair.
 template <class T>
 class number_row {
   public:
@@ -35,7 +35,7 @@ class number_row {
         }
     }
     template <int N>
-    void take(graze::ball<N, T>& to) { // the mass is left at 1: inverse masses are taken apart from it
+    void take(graze::ball<N, T>& to) { // the mass stays 1: inverse masses are taken separately
         take(to.position);
         take(to.velocity);
         to.radius = number();
@@ -85,7 +85,7 @@ template <class T, int N>
     return result;
 }
 
-// Where solutions go. The compiler does not see to whom, so that none is optimised away.
+// Receives solutions. The functions are virtual so that the compiler cannot optimise a solution away.
 template <int N, class T>
 class solution_sink {
   public:
@@ -94,7 +94,7 @@ class solution_sink {
     virtual void take(const graze::wall_solution<N, T>& s) = 0;
 };
 
-// A plane's equation is linear: the variants are one there.
+// A plane's equation is linear, so all variants are the same for it.
 template <graze::variant V, graze::root_form F, int N, class T>
 void solve_pair(const input<N, T>& pair, solution_sink<N, T>& sink) {
     switch (pair.kind) {
@@ -115,7 +115,7 @@ void solve_pair(const input<N, T>& pair, solution_sink<N, T>& sink) {
     }
 }
 
-// What an exception that a type throws stands for.
+// The outcome that the exception being handled stands for.
 template <class T>
 [[nodiscard]] outcome outcome_of_exception() {
     if constexpr (requires { typename reader<T>::undecided; }) {
@@ -131,7 +131,7 @@ template <class T>
     }
 }
 
-// Solves count pairs from first on; returns how the last one ended. One function for scoring and for timing.
+// Solves count pairs from `first` on; returns the outcome of the last. Scoring and timing share this function.
 template <graze::variant V, graze::root_form F, int N, class T>
 outcome solve_pairs(const input<N, T>* first, std::size_t count, solution_sink<N, T>& sink) {
     outcome last = outcome::answered;

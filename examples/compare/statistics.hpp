@@ -9,18 +9,18 @@
 
 namespace compare {
 
-// The smallest of the sorted values that at least the share of them do not exceed. values is not empty, 0 <= share
-// <= 1.
+// The smallest value that at least this share of the sorted values does not exceed. values is not empty, 0 <= share <=
+// 1.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
 
-// Sorts values.
+// Sorts `values`.
 [[nodiscard]] double median(std::vector<double>& values);
 
-// Collects errors in units of the last place that the exact value has as a double.
+// Collects errors in units of the last place of the exact value as a double.
 class error_sample {
   public:
-    // distance = |computed - exact|; size: the exact value's magnitude, of a vector its largest component's. Returns
-    // the error in units of the last place, or nothing where there are none: size is 0 and distance is not.
+    // distance = |computed - exact|. size: the magnitude of the exact value or, for a vector, of its largest component.
+    // Returns the error in units of the last place; nothing if size is 0 and distance is not, since there is no unit.
     std::optional<double> add(const wide& distance, const wide& size, bool correctly_rounded);
     void add_not_finite();
     [[nodiscard]] error_statistics summary() const;

@@ -17,20 +17,20 @@ class stopwatch {
     clock::time_point start_ = clock::now();
 };
 
-// run(n) works on the first n of the available items.
+// run(n) processes the first n of the available items.
 struct timed_candidate {
     std::function<void(std::size_t)> run;
     std::size_t available = 0;
 };
 
 struct timing {
-    double median = 0, low = 0, high = 0; // nanoseconds for one; low and high are the quartiles of the repeats
+    double median = 0, low = 0, high = 0; // nanoseconds for one item; low and high are the quartiles of the repeats
     std::size_t pairs = 0;
     std::vector<double> repeated; // each repeat, in the order of measurement
 };
 
-// Times the candidates in turn, so that changes of the machine's load affect all of them: at least three repeats of at
-// least 24 items each, or of all items. seconds is the target for all candidates together.
+// Times the candidates in turn, so that changes of the machine's load affect all of them: each at least three times
+// with at least 24 items, or with all items if there are fewer. seconds is the target for all candidates together.
 [[nodiscard]] std::vector<timing> time_interleaved(const std::vector<timed_candidate>& candidates, double seconds);
 
 } // namespace compare

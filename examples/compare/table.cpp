@@ -13,14 +13,14 @@ namespace compare {
 
 namespace {
 
-constexpr double notable_bits = 1.0; // less is not worth a line among the best
+constexpr double notable_bits = 1.0; // a smaller gain earns no line among the best
 
 std::string percent(std::size_t part, std::size_t whole) {
     if (whole == 0) {
         return "-";
     }
     const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-    // 100 and 0 are kept for all and none.
+    // 100% and 0% are reserved for all and none.
     const double shown = part == whole ? 100 : part == 0 ? 0 : std::clamp(std::round(share), 1.0, 99.0);
     return std::to_string(static_cast<int>(shown)) + "%";
 }
@@ -74,7 +74,7 @@ std::string heading(const results& found, bool one_pair) {
     return out.str() + "\n";
 }
 
-// One row's errors of the quantities that a table is of, together.
+// A row's errors over all quantities of the table.
 struct shown_error {
     std::size_t count = 0, rounded = 0;
     double largest = 0, median = 0;
@@ -109,7 +109,7 @@ bool is_told_by_others(const results& found, const row& r) {
     if (type == nullptr || !type->is_exact) {
         return r.root == "printed" && r.variant != "textbook";
     }
-    // Exact types differ in time only: the fastest stands for all.
+    // Exact types differ in time only, so the fastest row stands for all.
     return std::any_of(found.rows.begin(), found.rows.end(), [&](const row& other) {
         return other.type == r.type && other.group == found.groups.front().name &&
                other.nanoseconds.value_or(infinity) < r.nanoseconds.value_or(infinity);
@@ -184,7 +184,7 @@ std::string front_table(const results& found) {
     return table.text();
 }
 
-// The row of a type that stands for it where variants matter little.
+// The row that stands for a type where variants matter little.
 const row* typical_row(const results& found, const std::string& type, const std::string& group) {
     const row* typical = nullptr;
     for (const row& r : found.rows) {

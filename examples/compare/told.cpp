@@ -21,7 +21,7 @@ std::string told(const wide& x) {
     if (exponent == 0) {
         return digits;
     }
-    if (exponent > -5 && exponent < 16) { // without an exponent
+    if (exponent > -5 && exponent < 16) { // in plain decimals
         const bool negative = digits.front() == '-';
         std::string bare;
         for (const char c : digits) {

@@ -22,7 +22,7 @@ computed::~computed() = default;
 
 namespace {
 
-// The root of an integer if it is one.
+// The root of an integer, if it is an integer.
 template <class I>
 bool whole_root(const I& x, I& root) {
     I remainder;
@@ -42,7 +42,7 @@ bool rational_root(const exact& d, exact& root) {
 
 int sign(const exact& x) { return x.sign(); }
 
-// Whether q²d is the same of both; in integers, because reducing the fractions is what costs.
+// Whether q²d is the same for both. In integers, because reducing fractions is what takes long.
 bool same_square(const exact_real& x, const exact_real& y) {
     const auto side = [](const exact_real& above, const exact_real& below) -> exact_integer {
         const exact_integer q = numerator(above.q()), r = denominator(below.q());
@@ -106,7 +106,7 @@ true_value::true_value(const exact_real& x, root_memory& roots) : exactly_(simpl
     } else {
         is_value_ = false;
         wide rounded = value_;
-        if (const auto middle = middle_beside(value_)) { // irrational, so on one side of it
+        if (const auto middle = middle_beside(value_)) { // the value is irrational, so on one side of the middle
             const int side = (exactly_ - exact_real(to_exact(*middle))).sign();
             rounded = *middle + ldexp(wide(side), exponent_of(*middle) - 800);
         }
@@ -116,7 +116,7 @@ true_value::true_value(const exact_real& x, root_memory& roots) : exactly_(simpl
 
 namespace {
 
-// A difference from t.value() as one from t.
+// The distance from t, given the difference from t.value().
 wide certified(const wide& difference, const true_value& t) {
     const wide apart = abs(difference);
     if (t.is_value()) {
@@ -167,7 +167,7 @@ bool rounds_correctly(const computed& x, const true_value& t) {
 }
 
 bool encloses(const interval& x, const true_value& t) {
-    const auto side = [&](const wide& end) { // of the exact value, seen from end
+    const auto side = [&](const wide& end) { // the sign of the exact value less the end
         return (t.exactly() - exact_real(to_exact(end))).sign();
     };
     const wide room = ldexp(wide(abs(t.value())), -780);

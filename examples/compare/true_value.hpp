@@ -12,13 +12,13 @@ namespace compare {
 
 using exact_real = graze::sqrt_extension<exact>;
 
-// x, with its root evaluated if that is rational. So q is 0 if and only if x is rational.
+// x with its root evaluated if that is rational. So q is 0 if and only if x is rational.
 [[nodiscard]] exact_real simplified(const exact_real& x);
 
-// Whether x and y are the same real number, also over different roots.
+// Whether x and y are the same real number, even over different roots.
 [[nodiscard]] bool equal(const exact_real& x, const exact_real& y);
 
-// Square roots of rationals to 2^-890, the last one remembered: the values of one pair share theirs.
+// Square roots of rationals to 2^-890. It remembers the last one, since the values of one pair share it.
 class root_memory {
   public:
     [[nodiscard]] const wide& root_of(const exact& d);
@@ -28,7 +28,7 @@ class root_memory {
     wide root_ = 0;
 };
 
-// x to 2^-880, by way of its conjugate where p and q√d would cancel.
+// x to 2^-880; uses its conjugate where p and q√d would cancel.
 [[nodiscard]] wide to_wide(const exact_real& x, root_memory& roots);
 
 class true_value {
@@ -48,14 +48,14 @@ class true_value {
     double nearest_ = 0;
 };
 
-// The value that a number type computed, exactly, in one of the forms that types have.
+// The forms in which a number type's value is known exactly.
 struct not_finite {};
-struct exactly_right {}; // the exact value itself
+struct exactly_right {}; // it is the exact value itself
 struct interval {
     wide low, high;
 };
 
-// Its members are not inline, so that they are compiled once and not in every number type's translation unit.
+// The members are not inline, so that they are compiled once instead of in every number type's translation unit.
 class computed {
   public:
     using value_type = std::variant<wide, exact_real, interval, not_finite, exactly_right>;
@@ -77,17 +77,17 @@ class computed {
     value_type value_;
 };
 
-// |x - t|, of an interval that of its farther end; 0 exactly when x is t. Certified: a relative error below 2^-100,
-// or, where x agrees with an irrational t to 2^-780, that much of t as an upper bound. Empty when x is not finite.
+// |x - t|, for an interval that of its farther end; 0 exactly if x is t. The relative error is below 2^-100. If x
+// agrees with an irrational t to 2^-780, the result is that much of t, an upper bound. Empty if x is not finite.
 [[nodiscard]] std::optional<wide> distance(const computed& x, const true_value& t);
 
-// Whether x rounds to the same double as t does.
+// Whether x and t round to the same double.
 [[nodiscard]] bool rounds_correctly(const computed& x, const true_value& t);
 
 // Whether t lies in the interval x.
 [[nodiscard]] bool encloses(const interval& x, const true_value& t);
 
-// An approximation of x, which stands for t, to at least 2^-880; of an interval its middle.
+// An approximation of x, which stands for t, to at least 2^-880; for an interval its middle.
 [[nodiscard]] wide middle(const computed& x, const true_value& t);
 
 } // namespace compare

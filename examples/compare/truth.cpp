@@ -26,7 +26,7 @@ void append(std::vector<wide>& values, const graze::vec<N, exact>& x) {
 
 bool is_zero(const exact_real& x) { return x.sign() == 0; }
 
-// The laws of conservation hold in the truth; were they broken, nothing could be measured against it.
+// The truth must obey the conservation laws, or nothing could be measured against it.
 template <int N>
 void check_conservation(const problem<N>& pair, const graze::vec<N, exact_real>& after_a,
                         const graze::vec<N, exact_real>* after_b) {

@@ -7,8 +7,8 @@
 
 namespace compare {
 
-// COMPARE_HAS_* are set by the build, for the libraries that it found. A type is added by a source file in types/, a
-// line in types.hpp and one in each list below; what it is measured by need not be graze::solve (see solver).
+// The build sets COMPARE_HAS_* for the libraries that it found. To add a type, add a source file in types/, a line in
+// types.hpp and one in each list below. It need not be measured by graze::solve (see solver).
 
 std::vector<measurable> all_types() {
     std::vector<measurable> list;
@@ -62,7 +62,7 @@ std::vector<measurable> all_types() {
 std::vector<missing_type> missing_types() {
     std::vector<missing_type> list;
 #if COMPARE_ONLY_BUILT_IN
-    return list; // left out on purpose
+    return list; // nothing is missing: the others were left out on purpose
 #endif
 #if !COMPARE_HAS_FLOAT128
     list.push_back({"__float128", "the compiler has no quadmath.h"});

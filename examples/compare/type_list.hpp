@@ -9,10 +9,10 @@
 
 namespace compare {
 
-// From the cheapest to the dearest, more or less. Another name of a type has no solver.
+// Roughly from the cheapest to the dearest. An alias has no solver.
 [[nodiscard]] std::vector<measurable> all_types();
 
-// Those whose library was not there when the program was built.
+// The types whose library was not found when the program was built.
 [[nodiscard]] std::vector<missing_type> missing_types();
 
 } // namespace compare

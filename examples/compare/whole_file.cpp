@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Empty when everything arrived; otherwise what went wrong. A file that is new can be read by its owner alone.
+// Returns an empty text on success, otherwise what failed. A new file is readable by its owner alone.
 [[nodiscard]] std::string write(const std::string& path, std::string_view content, bool is_new) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | (is_new ? O_CREAT | O_EXCL : 0), S_IRUSR | S_IWUSR);
     if (file < 0) {
@@ -42,9 +42,9 @@ namespace fs = std::filesystem;
     return failure;
 }
 
-constexpr const char* part = ".part"; // then the number of the process that writes it
+constexpr const char* part = ".part"; // followed by the number of the process that writes it
 
-// Of processes that are no more.
+// Removes the part files of processes that no longer exist.
 void remove_parts_left(const fs::path& target) {
     std::error_code error;
     const std::string start = target.filename().string() + part;
@@ -60,7 +60,7 @@ void remove_parts_left(const fs::path& target) {
     }
 }
 
-// That of the file which is replaced, or what a new file gets.
+// The mode of the file that is replaced or, if there is none, of any new file.
 [[nodiscard]] mode_t mode_for(const fs::path& target) {
     struct stat now {};
     if (::stat(target.c_str(), &now) == 0) {
@@ -80,7 +80,7 @@ void write_whole_file(const std::string& path, std::string_view content) {
     }
     std::error_code error;
     const bool special = fs::exists(path, error) && !fs::is_regular_file(path, error);
-    // A link keeps pointing: what it points at is what is replaced.
+    // A link is kept: the file that it points to is replaced.
     const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
     const fs::path target = special || error ? fs::path(path) : real;
     const std::string first = special ? target.string() : target.string() + part + std::to_string(::getpid());

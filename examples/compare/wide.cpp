@@ -44,7 +44,7 @@ double scaled(const wide& x, long exponent) {
 
 namespace {
 
-// |x| in units of the last place that its nearest double has.
+// |x| in units of the last place of its nearest double.
 struct in_units {
     long last; // the unit is 2^last
     wide whole, beyond_middle;

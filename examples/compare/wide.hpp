@@ -1,4 +1,4 @@
-// Binary floating numbers wide enough to hold what the number types compute exactly, and the truth to 2^-890.
+// Binary floating-point numbers wide enough to hold exactly what the types compute, and the truth to 2^-890.
 #pragma once
 
 #include "problem.hpp"
@@ -16,8 +16,8 @@ using wide = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<wide_digits, boost::multiprecision::digit_base_2, void, std::int64_t>,
     boost::multiprecision::et_off>;
 
-// The nearest wide number; relative error below 2^-892, none when x has a power of two below the line and at most
-// wide_digits bits above it.
+// The nearest wide number. The relative error is below 2^-892; it is 0 if x's denominator is a power of two and its
+// numerator has at most wide_digits bits.
 [[nodiscard]] wide to_wide(const exact& x);
 
 // Whether to_wide(x) is x.
@@ -36,7 +36,7 @@ using wide = boost::multiprecision::number<
 // x rounded to nearest, ties to even, subnormals kept, infinite beyond the range.
 [[nodiscard]] double nearest_double(const wide& x);
 
-// The middle of two adjacent doubles from which x is at most 2^-800 of itself away, if there is one.
+// The middle of two adjacent doubles that x is within |x| 2^-800 of, if there is one.
 [[nodiscard]] std::optional<wide> middle_beside(const wide& x);
 
 // The exact value.
