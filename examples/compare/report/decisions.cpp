@@ -14,10 +14,10 @@ namespace {
 
 struct line_of_map {
     std::string name;
-    std::vector<decision_counts> groups; // as in results::groups
+    std::vector<decision_counts> groups; // in the order of results::groups
 };
 
-// A type and variant, the root form that is worse at it; only those that decided something wrong or left it open.
+// A line for each type and variant with a wrong or open decision, in the root form that is worse.
 [[nodiscard]] std::vector<line_of_map> lines_of(const results& found) {
     std::vector<line_of_map> lines;
     for (const auto& r : found.rows) {
@@ -101,7 +101,7 @@ std::string decisions_picture(const results& found, format size) {
             const double x = static_cast<double>(g);
             const auto bad = d.wrong() != 0 ? d.wrong() : d.undecided;
             const double share = d.evaluated == 0 ? 0 : static_cast<double>(bad) / static_cast<double>(d.evaluated);
-            // One wrong decision must be seen: the scale is of the logarithm, from 1 in 10,000 to one half.
+            // A single wrong decision must be visible: the scale is logarithmic, from 1 in 10,000 to one half.
             const double shade =
                 bad == 0 ? 0 : std::clamp(0.15 + 0.6 * (1 + std::log10(std::max(2 * share, 2e-4)) / 3.7), 0.15, 0.75);
             p.add("set object rectangle from " + exactly(x + 0.03) + "," + exactly(y + 0.06) + " to " +

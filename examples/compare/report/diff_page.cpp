@@ -1,4 +1,4 @@
-// Two results in one page, and the history of many.
+// One page: the differences of two results, and the history of many.
 #include "../answer.hpp"
 #include "../diff.hpp"
 #include "../report.hpp"
@@ -33,7 +33,7 @@ struct side {
     return s;
 }
 
-// Both frontiers: what nothing beats, before and after.
+// The fronts before and after. A point is on a front if nothing is both faster and better.
 [[nodiscard]] std::string frontiers_picture(const results& before, const results& after, bool narrow) {
     const std::vector<side> sides = {side_of(before, ink::muted, "old"), side_of(after, ink::best, "new")};
     std::vector<candidate> all;
@@ -86,7 +86,7 @@ struct side {
     return p.svg();
 }
 
-// Correct digits over runs, a line a row of a type's typical form.
+// Correct digits over the results, a line for each type in its typical form.
 [[nodiscard]] std::string history_picture(const std::vector<results>& all, const std::string& group, bool narrow) {
     const std::vector<line> lines = chosen_lines(all.back());
     std::string blocks, plots;

@@ -12,10 +12,10 @@
 namespace compare::report {
 namespace {
 
-constexpr int smallest = -12, greatest = 56; // of the powers of two of a unit that are drawn
+constexpr int smallest = -12, greatest = 56; // the exponents of the powers of two of a unit that are drawn
 
 struct distribution {
-    std::map<int, std::size_t> below; // b -> errors in [2^b, 2^(b+1)); without an error or below the axis: smallest - 1
+    std::map<int, std::size_t> below; // b -> errors in [2^b, 2^(b+1)); smallest - 1: no error, or one below the axis
     std::size_t count = 0;
 };
 
@@ -27,7 +27,7 @@ void take(distribution& d, const error_statistics& e) {
     }
 }
 
-// The cumulative curve: the share of the values with an error of at most 2^x units. What is no number never arrives.
+// The cumulative curve: the share of values with an error of at most 2^x units. What is not a number never counts.
 [[nodiscard]] std::string curve(const distribution& d) {
     std::size_t so_far = 0;
     std::string text;
@@ -59,7 +59,7 @@ std::string distribution_picture(const results& found, const group_information& 
             const std::string name = "$curve" + std::to_string(number++);
             blocks += name + " << END\n" + curve(d) + "END\n";
             plots = ", " + name + " using 1:2 with lines lw 2 dt " + (l.dashed ? "(5,3)" : "solid") + " lc " +
-                    picture::colour(l.colour) + plots; // the first on top
+                    picture::colour(l.colour) + plots; // so the first line is on top
         }
     }
     if (number == 0) {

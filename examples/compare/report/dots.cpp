@@ -16,7 +16,7 @@ namespace {
 
 using dots_json = nlohmann::ordered_json;
 
-// Tenths of a bit; what has none, by a number beyond them. The script knows these.
+// Errors are in tenths of a bit. These numbers beyond the range stand for other cases; the script knows them.
 constexpr int is_exact = -9999, is_infinite = 9999, is_wrong = 9998, is_open = 9997;
 
 [[nodiscard]] dots_json dot_of(float error) {
@@ -31,7 +31,7 @@ constexpr int is_exact = -9999, is_infinite = 9999, is_wrong = 9998, is_open = 9
                                : static_cast<int>(std::lround(10 * std::log2(static_cast<double>(error))));
 }
 
-// Hundredths of a decade.
+// In hundredths of a decade.
 [[nodiscard]] dots_json decades(double x) {
     return x > 0 && std::isfinite(x) ? dots_json(static_cast<int>(std::lround(100 * std::log10(x))))
                                      : dots_json(nullptr);
@@ -53,7 +53,7 @@ constexpr int is_exact = -9999, is_infinite = 9999, is_wrong = 9998, is_open = 9
             kept.insert(i);
         }
     }
-    constexpr std::size_t worst = 50; // of each line
+    constexpr std::size_t worst = 50; // kept for each line
     for (const row& r : found.rows) {
         const auto lines = chosen_lines(found);
         if (r.group != g.name || std::ranges::none_of(lines, [&](const line& l) { return l.is(r); })) {
@@ -150,7 +150,7 @@ std::string dots_data(const results& found, std::size_t most) {
                            {"rows", rows},
                            {"pairs", pairs}};
     std::string text = all.dump(-1, ' ', false, dots_json::error_handler_t::replace), safe;
-    for (const char c : text) { // nothing in it can end the script
+    for (const char c : text) { // escapes what could end the script
         safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
     }
     return safe;

@@ -1,4 +1,4 @@
-// The section of dots, and the script that draws it and opens rows of the tables.
+// The section of dots, and the script that draws it and opens the tables' rows.
 #pragma once
 
 namespace compare::report::words {
@@ -9,7 +9,7 @@ where its decision changes. Each dot is one pair in one type. The upper line hol
 times without any error. <span class="pointing">Choose types and a group; touch a dot to see its pair.</span></p>
 )";
 
-// #pair-N shows a pair, #pair-N-row-R the same and where row R puts it; #row-R opens that row of a table.
+// #pair-N shows a pair; #pair-N-row-R also shows where row R puts it; #row-R opens that row of a table.
 inline constexpr const char* dots_script = R"js(<script>
 (() => {
 const text = document.getElementById('pairs-data');

@@ -12,8 +12,8 @@
 
 namespace compare::report {
 
-// Decades down to 10^-20 at full length, then many to a unit, so that a hundred digits and no error at all find a place
-// below doubles without crushing them. Heights are in decades of the upper part.
+// Decades are at full length down to 10^-20. Below, many decades share the length of one, so that a hundred digits, and
+// no error at all, fit below the doubles without crushing them. Heights are in decades of the upper part.
 class error_axis {
   public:
     explicit error_axis(const std::vector<candidate>& points) {
@@ -26,7 +26,7 @@ class error_axis {
         }
     }
 
-    static constexpr double bend = -20; // from here on the axis is squeezed, if there is anything to show there
+    static constexpr double bend = -20; // below this the axis is squeezed, if there is anything to show
 
     [[nodiscard]] bool bends() const { return lowest_ < bend; }
     [[nodiscard]] double top() const { return highest_ + (infinite_ ? 4.5 : 1); }

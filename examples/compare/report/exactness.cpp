@@ -1,4 +1,4 @@
-// What exactness costs: the share of answers that are not right to the last bit.
+// The cost of exactness: the share of answers that are not right to the last bit.
 #include "pictures.hpp"
 
 #include "marks.hpp"
@@ -13,13 +13,13 @@
 namespace compare::report {
 namespace {
 
-constexpr double none = -5.5; // where nothing is wrong, below 10^-5
+constexpr double none = -5.5; // the height of points without a wrong answer, below 10^-5
 
 [[nodiscard]] double height_of(const candidate& c) {
     return c.imperfect > 0 ? std::max(std::log10(c.imperfect), none + 0.5) : none;
 }
 
-// Nothing is both cheaper and more often right.
+// The points such that nothing is both cheaper and more often right.
 [[nodiscard]] std::vector<const candidate*> front_of(const std::vector<candidate>& points) {
     std::vector<const candidate*> front;
     for (const auto& c : points) {
@@ -90,7 +90,7 @@ std::string exactness_picture(const results& found, format size) {
             "\n";
     }
     placement places({left - 4, top, p.width() - 2.0, p.height() - bottom + 4.0}, occupied);
-    std::vector<const candidate*> named; // of the formulas only what is right everywhere, and plain double
+    std::vector<const candidate*> named; // of formulas in a type, only those that are always right, and plain double
     for (const auto& c : points) {
         if (is_plain_double(c.type, c.variant, c.root) || c.variant.empty()) {
             named.push_back(&c);

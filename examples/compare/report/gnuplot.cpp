@@ -18,7 +18,7 @@ struct closer {
 };
 using file = std::unique_ptr<std::FILE, closer>;
 
-// A file that has no name and is gone when it is closed.
+// A file without a name, which vanishes when it is closed.
 [[nodiscard]] file nameless_file() {
     file f(std::tmpfile());
     if (!f) {
@@ -57,7 +57,7 @@ std::string run_gnuplot(const std::string& script) {
     posix_spawn_file_actions_adddup2(&streams, fileno(in.get()), STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&streams, fileno(out.get()), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&streams, fileno(errors.get()), STDERR_FILENO);
-    // -d: the reader's own gnuplot settings do not reach the report.
+    // -d: ignore the user's own gnuplot settings.
     std::string program = "gnuplot", defaults = "-d";
     std::array<char*, 3> arguments{program.data(), defaults.data(), nullptr};
     pid_t child = 0;

@@ -12,7 +12,7 @@
 namespace compare::report {
 namespace {
 
-// The relative error of e units of the last place, as bits: 2^-bits. (The unit is between 2^-53 and 2^-52 of the
+// The relative error of e units of the last place is 2^-bits; this is bits. (A unit is between 2^-53 and 2^-52 of the
 // value.)
 [[nodiscard]] double correct_bits(double units) { return 52.5 - std::log2(units); }
 
@@ -23,7 +23,7 @@ namespace {
     return what == quantity::discriminant ? c.discriminant_largest : c.time_largest;
 }
 
-// k -> the most bits lost, over kinds of pair. Nothing is lost at a relative error of half a unit of the type.
+// k -> the most bits lost, over all kinds of pair. A relative error of half a unit of the type counts as no loss.
 [[nodiscard]] std::map<int, double> bits_lost(const results& found, const group_information& group, const line& l,
                                               quantity what) {
     std::map<int, double> lost;
@@ -34,7 +34,7 @@ namespace {
         for (const auto& c : r.cells) {
             const auto largest = largest_of(c, what);
             if (c.hardness >= 0 && largest && !std::isnan(*largest)) {
-                const double all = l.digits + 8.0; // no bit is right, nor the exponent
+                const double all = l.digits + 8.0; // not even the exponent is right
                 const double bits = *largest == 0 ? 0 : std::clamp(l.digits - correct_bits(*largest), 0.0, all);
                 lost[c.hardness] = std::max(lost[c.hardness], bits);
             }
@@ -86,7 +86,7 @@ std::string hardness_picture(const results& found, const group_information& grou
             const std::string name = "$line" + std::to_string(number++);
             blocks += block(name, points);
             plots = ", " + name + " using 1:2 with lines lw 2 dt " + (l.dashed ? "(5,3)" : "solid") + " lc " +
-                    picture::colour(l.colour) + plots; // the first on top
+                    picture::colour(l.colour) + plots; // so the first line is on top
         }
     }
     if (!any) {

@@ -1,4 +1,4 @@
-// The names of a picture's lines, beneath it.
+// The key of a picture: the names of its lines, below it.
 #pragma once
 
 #include "summary.hpp"
@@ -7,12 +7,12 @@ namespace compare::report {
 
 inline constexpr int key_line_height = 17;
 
-// Pixels that the key takes; 0 without one.
+// The height of the key in pixels; 0 if there is none.
 [[nodiscard]] inline int key_height(const results& found, bool keyed) {
     return keyed ? key_line_height * static_cast<int>(chosen_lines(found).size()) + 10 : 0;
 }
 
-// In the lowest key_height pixels of p.
+// Draws it in the lowest key_height pixels of p.
 inline void add_key(picture& p, const results& found, bool keyed) {
     double y = keyed ? key_height(found, keyed) - 8 : 0;
     const auto x = [&](double pixel) { return "screen " + exactly(pixel / p.width()); };

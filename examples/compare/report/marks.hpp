@@ -1,16 +1,16 @@
-// The mark of a type that is drawn as a point: its colour by kind, its shape by variant.
+// The mark of a type that is drawn as a point: the kind of type gives the colour, the variant the shape.
 #pragma once
 
 #include "summary.hpp"
 
 namespace compare::report {
 
-// gnuplot's filled markers: triangle, square, diamond, circle. The hollow one's number is one less.
+// gnuplot's filled markers: triangle, square, diamond, circle. The hollow marker has the number before.
 [[nodiscard]] inline int marker_of(const std::string& variant) {
     return variant == "textbook" ? 9 : variant == "halved" ? 5 : variant == "kahan" ? 13 : 7;
 }
 
-// Whether this is a library's own collision, not the formulas in a number type.
+// Whether this is a library's own collision instead of the formulas in a number type.
 [[nodiscard]] inline bool is_peer(const candidate& c) {
     return c.variant.empty() && c.information != nullptr && c.information->library != "graze";
 }

@@ -1,4 +1,4 @@
-// Digits wanted, the cheapest type, its cost.
+// The digits wanted, the cheapest type for them, and its cost.
 #include "pictures.hpp"
 
 #include "placement.hpp"
@@ -20,7 +20,7 @@ struct bar {
     bool exact = false;
 
     [[nodiscard]] double length() const { return std::log10(nanoseconds); }
-    // Name and cost; the cost stays whole where the name has to be shortened.
+    // Name and cost. If there is too little room, only the name is shortened.
     [[nodiscard]] std::string text(double room) const {
         const std::string cost = nanoseconds > 0 ? ", " + readable_time(nanoseconds) : "";
         return fitted(name, letters, room - width_of(cost, letters)) + cost;
@@ -61,7 +61,7 @@ std::string matrix_picture(const results& found, format size) {
     const int width = narrow ? 360 : 1040;
     const int height = static_cast<int>(top + bottom + row_height * static_cast<double>(bars.size()));
     const double room = width - left - right, from = std::floor(std::log10(least));
-    // The axis ends where every text still fits behind its bar; a narrow picture has them above.
+    // The axis is long enough for every text to fit behind its bar. In a narrow picture the texts are above the bars.
     double to = std::max(std::log10(most) + 0.1, from + 1);
     for (const auto& b : bars) {
         if (!narrow && b.nanoseconds > 0) {
@@ -80,7 +80,7 @@ std::string matrix_picture(const results& found, format size) {
     p.tics('x', decades);
     p.label("time of one whole solve →", "graph 1", "screen " + exactly(10.0 / height), "right", ink::muted);
 
-    std::string ends; // of the bars: something to plot, without which gnuplot draws nothing
+    std::string ends; // ends of the bars: gnuplot draws nothing unless something is plotted
     const double upper = narrow ? 0.52 : 0.2, lower = narrow ? 0.86 : 0.8;
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const auto& b = bars[i];

@@ -7,7 +7,7 @@
 namespace compare::report {
 
 double width_of(const std::string& text, double size) {
-    // Bytes that continue a character have no width of their own.
+    // Continuation bytes of a character have no width of their own.
     const auto letters =
         std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
     return 0.56 * size * static_cast<double>(letters);

@@ -1,4 +1,4 @@
-// Where names go beside points so that they don't cover one another.
+// Places names beside points so that they do not cover each other.
 #pragma once
 
 #include <string>
@@ -15,15 +15,15 @@ struct box {
     }
 };
 
-// How wide a text of this size comes out, near enough for a sans-serif.
+// The width of a text of this size, roughly, in a sans-serif font.
 [[nodiscard]] double width_of(const std::string& text, double size);
 
-// The text, shortened at its end where it is wider.
+// The text, shortened at its end if it is wider.
 [[nodiscard]] std::string fitted(std::string text, double size, double width);
 
 struct placed {
-    double x = 0, y = 0; // of the text's middle line
-    std::string align;   // "left", "center" or "right" of x
+    double x = 0, y = 0; // on the text's middle line
+    std::string align;   // "left", "center" or "right": which part of the text is at x
 };
 
 class placement {
@@ -31,8 +31,7 @@ class placement {
     // Names stay within area and off the points.
     placement(const box& area, std::vector<box> points) : area_(area), taken_(std::move(points)) {}
 
-    // The first free place around the point at x, y, from near to far. Falls back on the nearest that stays in the
-    // area.
+    // The free place nearest to the point at x, y. If there is none, the nearest that is within the area.
     [[nodiscard]] placed place(const std::string& text, double size, double x, double y);
 
   private:

@@ -36,7 +36,7 @@ namespace {
     return s.str();
 }
 
-// Lays out and draws one picture, from back to front.
+// Lays out one picture and draws it from back to front.
 class speed_plot {
   public:
     speed_plot(std::vector<candidate> points, bool narrow)
@@ -114,7 +114,7 @@ void speed_plot::key() {
                          below);
 }
 
-// Marks and what they mean, on as many lines as they need. Returns where the next line goes.
+// Draws marks and their meaning on as many lines as they need. Returns the height of the next line.
 double speed_plot::key_line(const std::vector<std::tuple<int, ink, std::string>>& entries, double y) {
     const double start = narrow_ ? 0 : left_;
     double x = start;
@@ -150,7 +150,7 @@ void speed_plot::level(double height, const std::string& style, ink role) {
     p_.add("set arrow from graph 0" + y + " to graph 1" + y + " nohead back " + style + " lc " + picture::colour(role));
 }
 
-// A correctly rounded double is below the first line; the last one has no error.
+// Correctly rounded doubles are below the first line; the last line is for no error.
 void speed_plot::guides() {
     const double half_unit = axis_.height(-53 * std::log10(2.0));
     level(half_unit, "lw 1 dt (4,4)", ink::muted);
@@ -179,15 +179,15 @@ std::vector<box> speed_plot::occupied() const {
     return all;
 }
 
-// Plain double, the front, and what is not a formula in a type; where there is little room, a type is named once, at
-// its fastest.
+// Names plain double, the front, and whatever is not a formula in a type. In a narrow picture each type is named only
+// once, at its fastest point.
 std::vector<const candidate*> speed_plot::named() const {
     std::vector<const candidate*> all = front_;
     if (narrow_) {
         std::set<std::string> types;
         std::erase_if(all, [&](const candidate* c) { return !types.insert(c->type).second; });
     }
-    for (const auto& c : points_) { // graze and libraries' own
+    for (const auto& c : points_) { // graze and other libraries
         if (c.variant.empty() && std::ranges::find(all, &c) == all.end()) {
             all.push_back(&c);
         }
@@ -222,7 +222,7 @@ void speed_plot::plot(const std::string& rows, const std::string& how) {
     plots_ += (plots_.empty() ? "" : ", ") + name + how;
 }
 
-// A staircase: a cheaper type is no better than the last step before it.
+// A staircase: until the cost of the next point, the least error stays that of the last one.
 void speed_plot::front() {
     std::string stairs;
     for (std::size_t i = 0; i < front_.size(); ++i) {
@@ -235,7 +235,7 @@ void speed_plot::front() {
     }
 }
 
-// Points alike in size, marker and colour are plotted together.
+// Points of the same size, marker and colour are plotted together.
 void speed_plot::marks() {
     std::map<std::tuple<bool, int, ink>, std::string> alike;
     for (const auto& c : points_) {

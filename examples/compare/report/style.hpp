@@ -5,10 +5,10 @@
 
 namespace compare::report {
 
-// The colours and what every picture needs, for a page or for a picture that stands alone.
+// The colours and what every picture needs, in a page or standing alone.
 [[nodiscard]] std::string picture_style();
 
-// The same and the page around the pictures: for telephones, desks, dark rooms and paper.
+// The same and the style of the page around the pictures: for telephones, desktops, dark mode and paper.
 [[nodiscard]] std::string style();
 
 } // namespace compare::report

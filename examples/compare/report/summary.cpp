@@ -9,7 +9,7 @@
 namespace compare::report {
 namespace {
 
-// The results of one group alone.
+// The results of one group.
 [[nodiscard]] results only(const results& found, const std::string& group) {
     results one = found;
     std::erase_if(one.groups, [&](const group_information& g) { return g.name != group; });

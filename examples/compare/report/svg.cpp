@@ -42,7 +42,7 @@ struct marker {
     throw gnuplot_error("gnuplot drew a marker that the report does not know");
 }
 
-// "rgb(  1,   0,   3)" of a mark, in any spacing, as the variable; empty for any other colour.
+// The CSS variable for a placeholder such as "rgb(  1,   0,   3)", in any spacing; empty for any other colour.
 [[nodiscard]] std::string variable_in(const std::string& value) {
     int red = 0, green = 0, blue = -1;
     if (std::sscanf(value.c_str(), "rgb( %d , %d , %d )", &red, &green, &blue) == 3 && red == 1 && green == 0 &&
@@ -52,7 +52,7 @@ struct marker {
     return {};
 }
 
-// The text that the mark within stands for, escaped; empty if there is no mark.
+// The escaped text that the placeholder in content stands for; empty if there is none.
 [[nodiscard]] std::string text_in(std::string_view content, const std::vector<std::string>& texts) {
     const auto from = content.find('~'), to = content.rfind('~');
     std::size_t index = texts.size();
@@ -62,7 +62,7 @@ struct marker {
     return index < texts.size() ? escaped(texts[index]) : std::string();
 }
 
-// Attributes of one element: the wanted ones, colours as variables, no value that is the default.
+// The attributes of an element that are kept, with colours as variables and default values left out.
 class attributes {
   public:
     explicit attributes(const element& e) : of_(e) {}

@@ -13,8 +13,8 @@ namespace compare::report {
 [[nodiscard]] std::string mark_of_text(std::size_t index);
 [[nodiscard]] std::string mark_of_colour(ink role);
 
-// gnuplot's SVG as an element of a page: placeholders replaced by escaped texts and CSS variables; no ids, references,
-// scripts, fonts of its own or empty groups. Throws gnuplot_error if the SVG is not as expected.
+// Turns gnuplot's SVG into an element of a page: placeholders become escaped texts and CSS variables; ids, references,
+// scripts, fonts and empty groups are removed. Throws gnuplot_error if the SVG is not as expected.
 [[nodiscard]] std::string coloured(const std::string& drawing, const std::string& name, const std::string& description,
                                    const std::vector<std::string>& texts);
 

@@ -30,7 +30,7 @@ namespace {
 
 [[nodiscard]] std::string defect(const defect_statistics& d) { return d.count == 0 ? "–" : readable(d.largest); }
 
-// Both kinds of time in one.
+// For both kinds of time together.
 [[nodiscard]] std::string correctly_rounded(const row& r) {
     const auto& time = r.error(quantity::time);
     const auto& crossing = r.error(quantity::crossing);
@@ -63,7 +63,7 @@ namespace {
     return text;
 }
 
-// Of those that decide right, the cheapest whose times are all right to 10^-digits.
+// The cheapest of those that decide correctly and whose times are all right to 10^-digits.
 [[nodiscard]] const candidate* cheapest(const std::vector<candidate>& all, double bits) {
     const candidate* best = nullptr;
     for (const auto& c : all) {
@@ -158,7 +158,7 @@ std::string matrix_table(const results& found) {
 
 std::string rows_table(const results& found, const group_information& group) {
     std::vector<std::vector<std::string>> rows;
-    std::vector<std::string> ids; // by which dots and rows link to each other
+    std::vector<std::string> ids; // with these, dots and rows link to each other
     for (std::size_t n = 0; n < found.rows.size(); ++n) {
         const auto& r = found.rows[n];
         if (r.group == group.name) {

@@ -1,4 +1,4 @@
-// Text for a page: escaped names, and numbers that people can read.
+// Text for a page: escaped names and readable numbers.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,17 @@
 
 namespace compare::report {
 
-// The text with the characters of HTML and XML markup, quotes included, as entities. Control characters, and those that
-// change how others look, become question marks. Safe in element text and in quoted attributes.
+// The text with the markup characters of HTML and XML, quotes included, as entities. Control characters, and characters
+// that change how others look, become question marks. Safe in element text and in quoted attributes.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-// "0", "0.32", "14.5", "1234", "3.1·10⁻¹⁷", "∞"; not a number is "not a number". Three significant digits.
+// Three significant digits: "0", "0.32", "14.5", "1234", "3.1·10⁻¹⁷", "∞"; for a NaN "not a number".
 [[nodiscard]] std::string readable(double value);
 
-// The same, or a dash where there is no value.
+// The same, or a dash if there is no value.
 [[nodiscard]] std::string readable(const std::optional<double>& value);
 
-// "812 ps", "12.4 ns", "3.1 µs", "2.2 ms", the space not to be broken.
+// "812 ps", "12.4 ns", "3.1 µs", "2.2 ms", with a space that does not break.
 [[nodiscard]] std::string readable_time(double nanoseconds);
 
 // With thin spaces: "12 345".

@@ -11,7 +11,7 @@ inline constexpr const char* before_title = R"(<!DOCTYPE html>
 <meta name="color-scheme" content="light dark">
 )";
 
-// The script shows a mark's name under its picture, for those who touch; without it the browser's own hint remains.
+// The script shows a mark's name under its picture, for touch screens. Without it, the browser shows its own hint.
 inline constexpr const char* after_all = R"(</main>
 <script>
 for (const kind of ['click', 'mouseover']) addEventListener(kind, event => {

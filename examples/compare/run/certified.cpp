@@ -24,7 +24,7 @@ mpq_class root_of(const mpq_class& square) {
     return root;
 }
 
-// Whether the interval has so many bits of what is in it.
+// Whether the interval determines its number to this many bits.
 bool is_narrow(const mpfi_interval& x, long bits) {
     if (mpfr_sgn(x.lower()) != mpfr_sgn(x.upper())) {
         return false;
@@ -47,7 +47,7 @@ certified::certified(const exact& x, long bits) : bits_(bits) {
 certified::certified(mpq_class rational, shared unknown, long bits)
     : rational_(std::move(rational)), unknown_(std::move(unknown)), bits_(bits) {
     if (sgn(rational_) == 0) {
-        unknown_.reset(); // the unknown number is finite, whatever the interval around it is
+        unknown_.reset(); // 0 times a number is 0: every number is finite, even if its interval is not
     }
     limit_length();
 }
@@ -114,7 +114,7 @@ mpfi_interval certified::around(long bits) const {
         }
         return result;
     }
-    // p and q√d may nearly cancel, but they never do.
+    // p and q√d may nearly cancel. But their sum is not 0, so some precision is enough.
     for (long more = bits + 16;; more *= 2) {
         mpfi_interval wide = sqrt(mpfi_interval(more, surd_->radicand->get_mpq_t()));
         mpfi_mul_q(wide.get(), wide.get(), surd_->factor.get_mpq_t());
@@ -234,7 +234,7 @@ certified operator/(const certified& x, const certified& y) {
     if (y.is_zero()) {
         throw std::domain_error("certified: division by zero");
     }
-    if (y.surd_) { // by way of the conjugate
+    if (y.surd_) { // x times the inverse of y, by y's conjugate
         const mpq_class norm = y.norm();
         return x * certified(mpq_class(y.rational_ / norm),
                              certified::surd{mpq_class(-y.surd_->factor / norm), y.surd_->radicand}, bits);

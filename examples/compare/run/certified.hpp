@@ -1,7 +1,6 @@
-// Numbers of the certified run: exact in a quadratic field as long as they can be, intervals of a given precision from
-// then on.
+// Numbers of the certified run: exact in a quadratic field as long as possible, then intervals of a given precision.
 //
-// A formula runs in them as it is. Its decisions are signs; one that an interval leaves open throws, so that whatever a
+// Formulas run in them unchanged. A decision is a sign, and a sign that an interval leaves open throws. So whatever a
 // run decides is proved.
 #pragma once
 
@@ -22,44 +21,45 @@
 
 namespace compare::run {
 
-// The interval around a number has both signs, or none that is known.
+// Thrown if the interval around a number contains both signs, or if nothing is known of the number.
 struct undecided_sign : graze::undecided {
     undecided_sign() : undecided("a sign at this precision", 0) {}
 };
 
-// p + q√d with rational p, q and d, exactly; or r X with a rational r and an interval X around an unknown number. Exact
-// numbers of one field Q(√d) are computed with exactly; of two fields, in intervals. Copies share X, and what shares
-// one is added exactly, so that what cancels leaves 0 (a ball that gives all its velocity to an equal one stops).
+// Either p + q√d with rational p, q and d, exactly, or r X with a rational r and an interval X around an unknown
+// number. Numbers of one field Q(√d) give exact results; numbers of two fields give intervals. Copies share X, and
+// numbers that share X are added exactly. So what cancels leaves 0: a ball that gives all its velocity to an equal ball
+// stops.
 class certified {
   public:
-    // An exact number of more bits than this, numerators and denominators together, becomes an interval.
+    // An exact number becomes an interval if its numerators and denominators together have more bits.
     static constexpr std::size_t longest_exact = std::size_t{1} << 16U;
 
     certified(int x = 0) : rational_(x) {} // exactly
 
-    // Exactly; what is computed with it and cannot be exact is enclosed to `bits` bits or more.
+    // Exact. What is computed from it and cannot be exact is enclosed to at least `bits` bits.
     certified(const exact& x, long bits);
 
     certified(mpq_class x, long bits) : rational_(std::move(x)), bits_(bits) { limit_length(); }
 
     [[nodiscard]] static certified quotient(const mpz_class& x, const mpz_class& y, long bits); // enclosed, but for 0
-    [[nodiscard]] static certified infinity(); // 1 / infinity() is 0; anything else with it is undecided
-    [[nodiscard]] certified enclosed() const { return {interval(), bits_}; } // the same, as an interval from here on
+    [[nodiscard]] static certified infinity(); // 1 / infinity() is 0; all else is undecided
+    [[nodiscard]] certified enclosed() const { return {interval(), bits_}; } // as an interval from here on
 
     [[nodiscard]] bool is_exact() const noexcept { return unknown_ == nullptr; }
     [[nodiscard]] bool is_rational() const noexcept { return is_exact() && surd_ == nullptr; }
-    [[nodiscard]] const mpq_class& rational() const noexcept { return rational_; } // if it is one
-    [[nodiscard]] mpfi_interval interval() const { return around(bits_); }         // around it, whatever it is
-    [[nodiscard]] mpfi_interval around(long bits) const; // likewise; of an exact number, to so many bits of it
+    [[nodiscard]] const mpq_class& rational() const noexcept { return rational_; } // if is_rational()
+    [[nodiscard]] mpfi_interval interval() const { return around(bits_); }         // an interval that contains it
+    [[nodiscard]] mpfi_interval around(long bits) const; // the same; around an exact number, to this many bits of it
     [[nodiscard]] graze::time_bounds bounds() const;     // doubles that enclose it
     [[nodiscard]] bool is_infinite() const;
 
     [[nodiscard]] long bits() const noexcept { return bits_; }
-    [[nodiscard]] certified at(long bits) const;      // the same; what is computed with it has so many bits
-    [[nodiscard]] certified rounded(long bits) const; // an interval of so many bits around it
-    [[nodiscard]] std::size_t length() const;         // of an exact number: the bits of its integers
+    [[nodiscard]] certified at(long bits) const;      // the same number; what is computed from it has this many bits
+    [[nodiscard]] certified rounded(long bits) const; // an interval of this many bits around it
+    [[nodiscard]] std::size_t length() const;         // of an exact number: the bits of its integers together
 
-    // -1, 0 or 1; 0 for the value 0 alone; empty or undecided_sign where the interval leaves it open.
+    // -1, 0 or 1; 0 only if the value is 0. If the interval leaves it open: empty, or undecided_sign is thrown.
     [[nodiscard]] std::optional<int> certain_sign() const;
     [[nodiscard]] int sign() const;
 
@@ -81,7 +81,7 @@ class certified {
 
   private:
     using shared = std::shared_ptr<const mpfi_interval>;
-    struct surd { // factor √radicand; the factor is not 0, the radicand positive and no square
+    struct surd { // factor √radicand; the factor is not 0, the radicand is positive and no square
         mpq_class factor;
         std::shared_ptr<const mpq_class> radicand;
     };
@@ -91,7 +91,7 @@ class certified {
     certified(mpfi_interval unknown, long bits)
         : unknown_(std::make_shared<const mpfi_interval>(std::move(unknown))), bits_(bits) {}
 
-    // d of the field Q(√d) in which both exact numbers are, if there is one; null for two rationals.
+    // d of a field Q(√d) that contains both exact numbers, if there is one; null if both are rational.
     static std::optional<std::shared_ptr<const mpq_class>> field_of(const certified& x, const certified& y);
     [[nodiscard]] mpq_class factor_of(const std::shared_ptr<const mpq_class>& radicand) const; // of √radicand
     [[nodiscard]] std::optional<certified> root_in_field() const;
@@ -102,25 +102,25 @@ class certified {
     mpq_class rational_ = 1; // p, or r
     std::shared_ptr<const surd> surd_;
     shared unknown_;
-    long bits_ = 2; // what an interval that is made of it has; MPFR's least
+    long bits_ = 2; // the precision of intervals computed from it; at first the least that MPFR has
 };
 
-// Exact where x is rational, or the square of a number of its field; x >= 0.
+// Exact if x is rational or the square of a number of its field. x >= 0.
 [[nodiscard]] certified sqrt(const certified& x);
 
-// The larger of the two; where that is open, an enclosure of it.
+// The larger of the two. If that is open, an enclosure of it.
 [[nodiscard]] certified larger(const certified& x, const certified& y);
 
-// One of the two, it is not known which: an enclosure of both, or x where they are certainly equal.
+// One of the two, without saying which: an interval around both, or x if they are certainly equal.
 [[nodiscard]] certified either(const certified& x, const certified& y);
 
 // The upper end of the interval around x.
 [[nodiscard]] certified highest(const certified& x);
 
-// An unknown number that is not less than x, whatever is in the interval around x.
+// An unknown number that is not less than x, wherever x is in its interval.
 [[nodiscard]] certified not_less(const certified& x);
 
-// A double within 2^-52 of x, relatively, or of the middle of the interval around it.
+// A double within a relative 2^-52 of x or, if x is not exact, of the middle of its interval.
 [[nodiscard]] double near_double(const certified& x);
 
 } // namespace compare::run

@@ -41,7 +41,8 @@ integer_line<N> line_of(const certified_flight<N>& a) {
     return line;
 }
 
-// The line, and enclosures of what it says. Places are far off at t = 0 in fast balls: hence the more bits.
+// Makes a follow the line, with enclosures of its numbers. A fast ball's place at t = 0 is far off: hence the extra
+// bits.
 template <int N>
 void follow(certified_flight<N>& a, integer_line<N> line) {
     const long bits = a.state.radius.bits();

@@ -11,27 +11,28 @@
 
 namespace compare::run {
 
-// line: the same exactly, where all its numbers are rational but so long that the flight itself has enclosures of them.
+// line: the same flight exactly, if its numbers are rational but too long; position, velocity and since then enclose
+// it.
 template <int N>
 struct certified_flight : graze::flight<N, certified> {
     std::shared_ptr<const integer_line<N>> line{};
 };
 
-// A longer rational, numerator and denominator together, is not computed with but where nothing else will do.
+// A rational with more bits, numerator and denominator together, is computed with only where nothing else helps.
 inline constexpr std::size_t long_rational = 4096;
 
 template <int N>
 [[nodiscard]] bool is_exact(const certified_flight<N>& a); // or has a line
 
-// With exact numbers in place of the line.
+// With its exact numbers instead of the line.
 template <int N>
 [[nodiscard]] certified_flight<N> exactly(const certified_flight<N>& a);
 
-// With a line in place of long rationals.
+// Replaces long rationals by a line.
 template <int N>
 void shorten(certified_flight<N>& a);
 
-// bounce_head_on and bounce_off where both have a line, or one has and the other could: radii and masses rational.
+// bounce_head_on and bounce_off, if one has a line and the other has or could have one: radii and masses are rational.
 template <int N>
 [[nodiscard]] bool bounce_long(certified_flight<N>& a, certified_flight<N>& b);
 template <int N>

@@ -17,9 +17,9 @@
 
 namespace compare::run {
 
-// Predictions and contacts by the formulas of `solve`, every one a proof: what is empty does not meet, what is returned
-// encloses the truth. Throws graze::undecided where the intervals leave a decision open that matters now; whether two
-// meet matters when it is time.
+// Predictions and contacts by the formulas of `solve`, each of them a proof: an empty answer means that the two do not
+// meet, and a time encloses the true one. Throws graze::undecided if the intervals leave a decision open that matters
+// now. Whether two meet matters only when it is time.
 template <int N>
 class certified_mechanics {
   public:
@@ -35,7 +35,7 @@ class certified_mechanics {
     [[nodiscard]] state start(const ball& b) const { return {{b, certified(0)}}; }
 
     [[nodiscard]] std::optional<time> meet(const state& a, const state& b) const {
-        if (rests(a) && rests(b)) { // most pairs of a lattice of mirrors
+        if (rests(a) && rests(b)) { // most pairs in a lattice of mirrors
             return {};
         }
         return decided("whether they meet", a, [&]() -> std::optional<time> {
@@ -53,7 +53,7 @@ class certified_mechanics {
             }
         });
     }
-    // What stands is a plane, a wall or a triangle.
+    // Standing is a plane, a wall or a triangle.
     template <class Standing>
     [[nodiscard]] std::optional<time> meet(const state& a, const Standing& standing) const {
         return decided("whether they meet", a, [&]() -> std::optional<time> {
@@ -71,7 +71,7 @@ class certified_mechanics {
             }
         });
     }
-    // Where that is open, so is whether they meet, and `meet` has said so.
+    // If the feature is open, so is whether they meet, and `meet` has said so.
     [[nodiscard]] graze::wall_encounter feature(const state& a, const graze::triangle<certified>& t) const
         requires(N == 3) {
         try {
@@ -118,12 +118,12 @@ class certified_mechanics {
         });
     }
 
-    // In a scene that has a period: an image is what is there itself, so many periods on.
+    // For scenes with a period. An image of something is the thing itself, moved by a number of periods.
     std::array<std::int32_t, 3> wrap(state& a, const graze::vec<N, certified>& period) const {
         std::array<std::int32_t, 3> gone{};
         graze::vec<N, certified> by = graze::make_vec<N>([](int) { return certified(0); });
         for (int i = 0; i < N; ++i) {
-            if (period[i].certain_sign() != 0) { // any whole number of periods near enough will do
+            if (period[i].certain_sign() != 0) { // any nearby whole number of periods will do
                 const double periods = near_double(a.state.position[i]) / near_double(period[i]);
                 if (!(periods < 0x1p30 && periods > -0x1p30)) {
                     throw std::range_error("a position is too many periods away");
@@ -195,7 +195,7 @@ class certified_mechanics {
             near_double(a.since)};
     }
 
-    // The ball as it is at a time.
+    // The ball as it is at time t.
     [[nodiscard]] ball ball_at(const state& a, const certified& t) const {
         ball moved = a.state;
         moved.position = graze::position_at(moved.position, moved.velocity, t - a.since);
@@ -205,7 +205,7 @@ class certified_mechanics {
   private:
     using formulas = graze::plain_mechanics<N, certified, graze::variant::lagrange>;
 
-    // Two balls at the later of the two instants from which they fly.
+    // Two balls at the later of their two epochs.
     struct common {
         certified t;
         ball a, b;
@@ -213,7 +213,7 @@ class certified_mechanics {
             : t(larger(x.since, y.since)), a(m.ball_at(x, t)), b(m.ball_at(y, t)) {}
     };
 
-    // Moved by a distance; the very same where that is 0.
+    // a moved by a distance. If that is 0, a itself, not a copy computed anew.
     [[nodiscard]] static state displaced(const state& a, const graze::vec<N, certified>& by) {
         if (std::all_of(by.component, by.component + N, [](const certified& c) { return c.certain_sign() == 0; })) {
             return a;
@@ -253,7 +253,7 @@ class certified_mechanics {
         return graze::quadratic_of(graze::corner_motion(graze::seen_from(m, graze::wall_view{s.index, false})));
     }
 
-    // With their quadratic where the time is not exact and could be.
+    // The time, with its quadratic if the time is not exact but the flights are.
     template <class Other>
     [[nodiscard]] time time_of(const certified& when, const state& a, const Other& other) const {
         time found{when, {}};
@@ -272,7 +272,7 @@ class certified_mechanics {
         }
         return found;
     }
-    // Whether a contact at t is a touch, and no overlap since before.
+    // Whether a contact at t is a touch, rather than an overlap since the start of the flight.
     [[nodiscard]] static bool is_later(const time& t, const state& a) {
         return (t.value - a.since).certain_sign() == 1;
     }
@@ -282,7 +282,7 @@ class certified_mechanics {
         shorten(a);
     }
 
-    // Whether what a meets there is the face, for certain.
+    // Whether what a meets is certainly the face.
     static bool is_face(const state&, const plane&) { return true; }
     template <flat_shape W>
     static bool is_face(const state& a, const W& w) {
@@ -294,7 +294,7 @@ class certified_mechanics {
     }
 
     static void be_certain(bool they_meet) {
-        if (!they_meet) { // though they were said to: it was open then
+        if (!they_meet) { // `meet` left it open whether they meet
             throw undecided_sign();
         }
     }

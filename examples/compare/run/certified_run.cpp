@@ -22,10 +22,10 @@ graze::ball<N, certified> ball_at(const graze::run<certified_mechanics<N>>& run,
     return run.rules().immovable(run.in_flight(i)) ? run.in_flight(i).state : run.rules().ball_at(run.in_flight(i), t);
 }
 
-// Digits after the point that D digits, counted from the first one of x, are; x > 0.
+// The digits after the point if x > 0 is written with `digits` digits, counted from its first one.
 long decimals_from(double x, int digits) { return digits - 1 - static_cast<long>(std::floor(std::log10(x))); }
 
-// The largest component of a moving ball's position or velocity.
+// The largest component of the positions or velocities of moving balls.
 template <int N, class Part>
 double largest(const std::vector<graze::ball<N, certified>>& balls, Part part) {
     double result = 0;
@@ -37,7 +37,7 @@ double largest(const std::vector<graze::ball<N, certified>>& balls, Part part) {
     return result;
 }
 
-// The digits that all of them have, counted from the first one of the largest.
+// The digits known of all of them, counted from the first digit of the largest.
 template <int N, class Part>
 long digits_of(const std::vector<graze::ball<N, certified>>& balls, Part part) {
     const double size = largest(balls, part);
@@ -58,7 +58,7 @@ class attempt {
           scene_(
               scene_in<certified>(scene, certified::infinity(), [&](const exact& x) { return certified(x, bits); })) {}
 
-    // Whether every decision was certain, as far as it went.
+    // Runs the scene. Returns whether every decision was certain.
     bool make(certified_result<N>& found) {
         found = {};
         found.bits = bits_;
@@ -82,7 +82,7 @@ class attempt {
             certain = false;
         } catch (const std::domain_error& error) {
             found.problem = error.what();
-        } catch (const std::range_error& error) { // in which period a ball is: narrower intervals may tell
+        } catch (const std::range_error& error) { // which period a ball is in: narrower intervals may tell
             found.problem = error.what();
             certain = false;
         }
@@ -126,7 +126,7 @@ class attempt {
             return {};
         }
     }
-    // Whether the two have a ball in common that is no mirror.
+    // Whether the two have a ball in common that is not a mirror.
     [[nodiscard]] bool share_a_ball(const graze::scene_pair& x, const graze::scene_pair& y) const {
         const auto is_shared = [&](int a) {
             return !scene_.balls[static_cast<std::size_t>(a)].mass.is_infinite() &&

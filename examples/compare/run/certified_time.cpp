@@ -27,7 +27,7 @@ int order_of(const certified_time& s, const certified_time& t) {
         if (t.exactly && s.value.is_exact()) {
             return -order_of(t.exactly(), s.value);
         }
-    } catch (const undecided_sign&) { // of two fields, or beyond their length
+    } catch (const undecided_sign&) { // they are of two fields, or too long to be exact
     }
     throw graze::undecided("the order of two times", near_double(s.value));
 }

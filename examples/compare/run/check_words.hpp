@@ -1,4 +1,4 @@
-// What the parts of event_check have in common.
+// What the parts of event_check share.
 #pragma once
 
 #include "clearance.hpp"
@@ -71,8 +71,7 @@ template <int N>
     }
 }
 
-// Of x, which is in the plane of a wall or a triangle: 1 inside it, 0 on its border, -1 beside it; empty where that is
-// open.
+// For x in the plane of a wall or a triangle: 1 if x is inside it, 0 on its border, -1 outside; empty if that is open.
 template <int N>
 [[nodiscard]] std::optional<int> place_in(const graze::plane<N, certified>&, const vector_of<N>&) {
     return 1;
@@ -80,10 +79,10 @@ template <int N>
 template <int N, flat_shape W>
 [[nodiscard]] std::optional<int> place_in(const W& w, const vector_of<N>& x) {
     std::optional<int> least = 1;
-    certified left = 1; // of the shares, in a triangle
+    certified left = 1; // in a triangle: 1 less the shares so far
     for (std::size_t i = 0; i < w.edge.size(); ++i) {
         const vector_of<N> from = x - w.corner, &e = w.edge[i];
-        vector_of<N> across = e; // within the wall, across its other edge
+        vector_of<N> across = e; // a vector in the wall's plane, normal to its other edge
         if constexpr (N == 3) {
             across = graze::cross(w.edge[1 - i], normal_of<N>(w));
         }
@@ -98,7 +97,7 @@ template <int N, flat_shape W>
     return least;
 }
 
-// Where the answer is open in few bits it is asked for in all.
+// Asks with few bits first, and with all of them only if the answer is open.
 template <class F>
 [[nodiscard]] verdict sharpened(F of) {
     const verdict coarse = of(true);

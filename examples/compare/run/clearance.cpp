@@ -15,7 +15,7 @@ vector_of<N> either(const vector_of<N>& x, const vector_of<N>& y) {
     return graze::make_vec<N>([&](int i) { return run::either(x[i], y[i]); });
 }
 
-// The one of the points that is nearest; where that is open, an enclosure of those that may be.
+// The nearest of the points. If that is open, an enclosure of all that may be nearest.
 template <int N, std::size_t K>
 vector_of<N> nearest_among(const std::array<vector_of<N>, K>& points, const vector_of<N>& to) {
     std::array<certified, K> distances;
@@ -48,8 +48,8 @@ vector_of<2> nearest_point<2>(const graze::wall<2, certified>& w, const vector_o
 
 namespace {
 
-// The foot of the perpendicular if it lies within (within: numbers that are then not negative, of its coordinates along
-// the edges), else the nearest point of the border.
+// The foot of the perpendicular if it lies inside, else the nearest point of the border. The foot is inside if none of
+// the numbers that `within` computes from its coordinates along the edges is negative.
 template <class Within, class Border>
 vector_of<3> nearest_of(const vector_of<3>& corner, const std::array<vector_of<3>, 2>& edge, const vector_of<3>& x,
                         Within within, Border border) {

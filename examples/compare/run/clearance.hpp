@@ -1,5 +1,5 @@
-// How far apart things are while they move: the second way by which the certified run checks itself. No discriminant,
-// no root, nothing of formula/: places and slopes alone.
+// How far apart things are while they move: the second way, by which the certified run checks itself. It uses no
+// discriminant, no root and nothing of formula/, only places and slopes.
 #pragma once
 
 #include "flat_shape.hpp"
@@ -14,9 +14,9 @@
 
 namespace compare::run {
 
-// The squared distance of a centre from what it may touch, less the squared distance at which it does, and half of its
-// derivative in time. A convex function of time: what it is a distance from is convex, and stands in a frame that moves
-// evenly. Of a plane both are times n·n.
+// value: the squared distance between a centre and what it may touch, less the squared distance of a touch. slope: half
+// of value's derivative in time. value is a convex function of time, since the other thing is convex and moves
+// uniformly. For a plane both are times n·n.
 struct clearance {
     certified value, slope;
 };
@@ -57,28 +57,28 @@ template <int N, flat_shape W>
     return {graze::squared_norm(apart) - a.state.radius * a.state.radius, graze::dot(apart, a.state.velocity)};
 }
 
-// Whether a clearance stays above 0 between two instants, both left out. crossed: certainly not. open: it is not known.
+// Whether a clearance stays above 0 strictly between two instants. crossed: certainly not. open: unknown.
 enum class verdict { clear, crossed, open };
 
-// of: the clearance at a time. touches_at_end: at `to` it may be 0, for that is an event.
+// of: the clearance at a time. touches_at_end: it may be 0 at `to`, since that is an event.
 template <class Of>
 [[nodiscard]] verdict clear_between(Of of, const certified& from, const certified& to, bool touches_at_end);
 
-// From an instant on, for ever.
+// The same from an instant on, for ever.
 template <class Of>
 [[nodiscard]] verdict clear_after(Of of, const certified& from);
 
-// An enclosure of when it first is 0, or of when it is least if it never is so for certain; at most `to`, if there is
-// one.
+// An enclosure of the first time at which it is 0 or, if it is not certainly 0 at any, at which it is least; at most
+// `to`, if given.
 template <class Of>
 [[nodiscard]] certified first_touch(Of of, const certified& from, const certified* to);
 
-// What follows is of the templates above.
+// The templates above.
 
 [[nodiscard]] inline certified magnitude(const certified& x) { return larger(x, -x); }
 
-// A convex function lies above its tangents: above those at the ends, and where that does not tell, at an instant
-// between them.
+// A convex function is above its tangents: first those at the ends are tried and, if they do not tell, one at an
+// instant between them.
 template <class Of>
 verdict clear_between(Of of, const certified& from, const certified& to, bool touches_at_end) {
     certified lower = from, length = to - from;
@@ -88,7 +88,7 @@ verdict clear_between(Of of, const certified& from, const certified& to, bool to
     }
     clearance first = of(from);
     const std::optional<int> leaving = first.slope.certain_sign();
-    if (leaving && *leaving >= 0) { // it grows, and has been seen to at what came before
+    if (leaving && *leaving >= 0) { // it grows; that it was not below 0 was checked before
         return verdict::clear;
     }
     const auto holds_around = [&](const clearance& c) {
@@ -99,7 +99,7 @@ verdict clear_between(Of of, const certified& from, const certified& to, bool to
     }
     clearance last = of(to);
     const std::optional<int> arriving = last.slope.certain_sign();
-    if (arriving && *arriving <= 0) { // it shrinks to what it is at the end
+    if (arriving && *arriving <= 0) { // it shrinks to its value at the end
         const std::optional<int> end = last.value.certain_sign();
         const bool shrinks = *arriving < 0 || leaving == -1 || first.value.certain_sign() == 1;
         return end ? (*end >= 0               ? verdict::clear
@@ -112,7 +112,7 @@ verdict clear_between(Of of, const certified& from, const certified& to, bool to
     }
     for (int i = 0; i < 200; ++i) {
         const certified where = (last.value - certified(2) * last.slope * length - first.value) /
-                                (certified(2) * (first.slope - last.slope)); // where the tangents meet, from lower on
+                                (certified(2) * (first.slope - last.slope)); // the tangents meet so long after lower
         if ((first.value + certified(2) * first.slope * where).certain_sign() == 1) {
             return verdict::clear;
         }
@@ -166,7 +166,7 @@ certified first_touch(Of of, const certified& from, const certified* to) {
     for (int i = 0; to == nullptr && i < 1100 && !grows(of(upper)); ++i) {
         upper = upper + (upper - from);
     }
-    // The side of the first instant of which that holds, where it holds from there on.
+    // Halves [lower, upper] so that it keeps the first instant at which `holds` is true; from there on it stays true.
     const auto halve = [&](auto holds) {
         const certified middle = (lower + upper) * certified(exact(1, 2), from.bits());
         (holds(of(middle)) ? upper : lower) = middle;

@@ -1,4 +1,4 @@
-// The second opinion of the certified run on every event that it tells.
+// The certified run's second way: checks every event that the run reports.
 #pragma once
 
 #include "clearance.hpp"
@@ -15,18 +15,18 @@
 
 namespace compare::run {
 
-// The check refutes what a run said: there is an error in the one or the other.
+// The check contradicts the run: one of the two has a bug.
 struct refuted_event : std::logic_error {
     refuted_event(const std::string& who, const std::string& what, double about)
         : std::logic_error("the certified run is wrong: " + who + " " + what +
                            ", at about t = " + std::to_string(about)) {}
 };
 
-// Follows a run from its start. Of each event it checks that the two touch there and then, coming closer; that they
-// part by the laws (momentum, energy, nothing across the normal); and that on their ways to it neither had met anything
-// else. A true number that an enclosure leaves open throws graze::undecided, one that contradicts throws refuted_event.
-// By convention, and so not checked: the order of events that share a ball at one instant, what becomes of a point on a
-// wall's border, and a touch at what may be an inner edge.
+// Follows a run from its start. It checks of each event that the two touch at that time and place and come closer; that
+// they part by the laws (momentum, energy, no change across the normal); and that neither had met anything else on its
+// way there. It throws graze::undecided if an enclosure leaves a check open, and refuted_event if a check fails. Three
+// things are conventions and not checked: the order of simultaneous events that share a ball, what a point does at a
+// wall's border, and a touch at a possible inner edge.
 template <int N>
 class event_check {
   public:
@@ -35,9 +35,10 @@ class event_check {
 
     explicit event_check(const owned_scene<N, certified>& scene);
 
-    // b: of two balls, the second one's flight from then on. Told in the order of time where events share a ball.
+    // b: the second ball's flight from then on; null if a ball meets something else. Events that share a ball come in
+    // the order of time.
     void event(const graze::scene_pair& who, const certified& t, const flight& a, const flight* b);
-    // That nothing else happened until then, or will ever happen.
+    // Checks that nothing else happens until t, or ever after.
     void end(const certified& t);
     void end_of_all();
 
@@ -47,10 +48,10 @@ class event_check {
         int sign;
     };
     struct mover {
-        flight now, coarse; // the same in few bits
+        flight now, coarse; // coarse: the same flight in few bits
         std::optional<flight> before;
         std::optional<graze::scene_pair> last;
-        std::vector<side> sides; // of a point: from which it came to where it is now
+        std::vector<side> sides; // for a point: on which sides of what it touches it was before
         bool immovable, at_rest;
     };
 
@@ -64,7 +65,7 @@ class event_check {
     [[nodiscard]] std::size_t standing() const { return first_triangle() + scene_.triangles.size(); }
     [[nodiscard]] std::size_t standing_of(const graze::scene_pair& who) const;
     [[nodiscard]] graze::scene_pair named(int a, std::size_t standing) const;
-    // f(what stands, or that image of it).
+    // f(what has this number, or its image).
     template <class F>
     auto with_standing(std::size_t standing, F f, const image& periods = {}) const {
         if constexpr (N == 3) {
@@ -76,14 +77,14 @@ class event_check {
                    ? f(scene_.planes[standing])
                    : f(space_.image_of(scene_.walls[standing - scene_.planes.size()], periods));
     }
-    // Of which image of the second one of an event that must be: one that is touched then, or the nearest to it.
+    // Which image of the event's second partner is met: one that is touched at t or, without any, the nearest.
     [[nodiscard]] image image_at(const graze::scene_pair& who, const certified& t) const;
     [[nodiscard]] bool is_point(const mover& m) const { return m.now.state.radius.certain_sign() == 0; }
 
     void check_place(const graze::scene_pair& who, const image& periods, const certified& t) const;
     void check_laws(const graze::scene_pair& who, const image& periods, const certified& t, const flight& a,
                     const flight* b) const;
-    // met: that image is met at t.
+    // event, periods: the image of the event's second partner is met at t.
     void check_way(int a, const certified& t, const graze::scene_pair* event, const image& periods = {});
     void check_pair(int a, int b, const certified* t, const image* met) const;
     void check_standing(int a, std::size_t b, const certified* t, const image* met) const;
@@ -93,8 +94,8 @@ class event_check {
     [[nodiscard]] bool keeps_aside(const mover& x) const;
     [[nodiscard]] int side_along(const mover& x, const vector_of<N>& normal) const;
     void note_sides(int a, const certified& t, const graze::scene_pair& who);
-    // Of others that have been told of already, though their events are not certainly earlier than t: their ways until
-    // then beside a's from t on.
+    // Compares a's way from t on with the ways of balls whose later events have already been checked: each until its
+    // event, unless that is certainly not after t.
     void check_overtaken(int a, const certified& t, const graze::scene_pair& who) const;
     void start(int a, const flight& f, const certified& t, const graze::scene_pair& who);
 };

@@ -1,5 +1,5 @@
-// Which images of something a flight may come to, in a space of periods: all that boxes around its way reach, whatever
-// the run has looked at.
+// In a scene with a period: which images of a thing a flight may come to. These are all images that boxes around its
+// way reach, independently of what the run looked at.
 #pragma once
 
 #include "clearance.hpp"
@@ -12,7 +12,7 @@
 
 namespace compare::run {
 
-// So many periods along each axis.
+// The number of periods along each axis.
 template <int N>
 using whole_image = std::array<int, N>;
 
@@ -27,7 +27,7 @@ class image_space {
         }
     }
 
-    // That image of a ball or a wall. A plane is its own.
+    // The image of a ball, a wall or a triangle. A plane is its own image.
     template <class S>
     [[nodiscard]] S image_of(S s, const whole_image<N>& image) const {
         if (image == whole_image<N>{}) {
@@ -41,7 +41,7 @@ class image_space {
         return s;
     }
 
-    // x with whole periods taken from it, so many as bring it nearest to `to`.
+    // x moved by the whole number of periods that brings it nearest to `to`.
     [[nodiscard]] vector_of<N> brought_to(const vector_of<N>& x, const vector_of<N>& to) const {
         whole_image<N> image{};
         for (int i = 0; i < N; ++i) {
@@ -51,8 +51,8 @@ class image_space {
         return image == whole_image<N>{} ? x : x + distance(image);
     }
 
-    // f(image) for all of s that a may touch between two times; a null one is the end of time. False if there are too
-    // many, or nobody knows how many.
+    // f(image) for all images of s that a may touch between two times; null: no end. False if there are too many, or
+    // their number is unknown.
     template <class S, class F>
     [[nodiscard]] bool for_each(const flight& a, const S& s, const certified& from, const certified* to, F f) const {
         whole_image<N> low{}, high{};
@@ -74,7 +74,7 @@ class image_space {
                 }
             }
             const double reach = near_double(a.state.radius + radius_of(s));
-            // x is within reach of k lengths, and what is rounded far within a hundredth of one.
+            // The range of whole periods k with x within reach of k lengths; 0.01 is far above the rounding errors.
             const double least = std::floor((first - reach) / length_[k] - 0.01),
                          most = std::ceil((last + reach) / length_[k] + 0.01);
             if (!(most - least < 1000 && least > -0x1p30 && most < 0x1p30)) {
@@ -119,7 +119,7 @@ class image_space {
             return a.state.velocity[axis];
         }
     }
-    // f(coordinate) for what a box around s at that time is of.
+    // f(coordinate) for each corner of s, or its centre, at that time.
     template <class S, class F>
     static void for_each_corner(const S& s, const certified& t, int axis, F f) {
         if constexpr (requires { s.state; }) {
@@ -133,7 +133,7 @@ class image_space {
                 f(x);
             }
         } else {
-            f(s.point[axis]); // a plane, of which it does not matter
+            f(s.point[axis]); // a plane, for which any coordinate will do
         }
     }
 };

@@ -1,4 +1,4 @@
-// That the two of an event touch there, coming closer, and part by the laws.
+// Checks that the two of an event touch, come closer, and part by the laws.
 #include "check_words.hpp"
 #include "event_check.hpp"
 
@@ -31,7 +31,7 @@ whole_image<N> event_check<N>::image_at(const graze::scene_pair& who, const cert
     };
     if (who.with == graze::partner::ball) {
         look(movers_[static_cast<std::size_t>(who.b)].now);
-    } else if (who.with != graze::partner::plane) { // of which no normal has a component along a period
+    } else if (who.with != graze::partner::plane) { // whose normal has no component along a period
         with_standing(standing_of(who), look);
     }
     return best;
@@ -60,7 +60,7 @@ void event_check<N>::check_place(const graze::scene_pair& who, const image& peri
     if (apart == 1) {
         refute(who, "do not touch", t);
     }
-    // Inside each other they meet as soon as they are seen to come closer, and not on the way.
+    // What is inside each other meets at the start of a flight, as soon as they come closer, and not on the way.
     const auto starts = [&](const mover& m) { return (t - m.now.since).certain_sign().value_or(0) == 0; };
     if (apart == -1 && !starts(a) && !(two && starts(*b))) {
         refute(who, "are inside each other", t);
@@ -68,14 +68,14 @@ void event_check<N>::check_place(const graze::scene_pair& who, const image& peri
     if (going == 1) {
         refute(who, "part", t);
     }
-    if (!two && is_point(a)) { // the slope of a point's clearance is 0 there: it is asked for its speed
+    if (!two && is_point(a)) { // a point's clearance has slope 0 there, so its speed decides
         const std::optional<int> speed = with_standing(
             standing, [&](const auto& s) { return graze::dot(a.now.state.velocity, normal_of<N>(s)).certain_sign(); });
         if (!speed) {
             leave_open(who, "whether they come closer", t);
         }
         const bool inside = with_standing(standing, [&](const auto& s) { return place_in<N>(s, x) == 1; });
-        for (const side& s : a.sides) { // on a border it may have come round to the other side
+        for (const side& s : a.sides) { // at a border it may have come round from the other side
             if (inside && s.standing == standing && *speed * s.sign > 0) {
                 refute(who, "part", t);
             }
@@ -101,7 +101,7 @@ void event_check<N>::check_laws(const graze::scene_pair& who, const image& perio
         is_wrong(agree<N>(space_.brought_to(place_at<N>(a, t), at), at));
     }
     if (b == nullptr) {
-        flight left = a; // from where it was met
+        flight left = a; // at the place where it met s
         left.state.position = left.state.position + (space_.brought_to(place_at<N>(a, t), at) - place_at<N>(a, t));
         const auto parts = [&](const auto& s) {
             vector_of<N> normal = normal_of<N>(s);

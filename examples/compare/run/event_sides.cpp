@@ -1,4 +1,4 @@
-// That a point passes through nothing, and from which sides it comes.
+// Checks that a point passes through nothing, and notes from which side it came.
 #include "check_words.hpp"
 #include "event_check.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace compare::run {
 
-// Whether a point slides along something, to one side of which it came.
+// Whether a point slides along something and keeps to the side from which it came.
 template <int N>
 bool event_check<N>::keeps_aside(const mover& x) const {
     return std::any_of(x.sides.begin(), x.sides.end(), [&](const side& kept) {
@@ -17,12 +17,12 @@ bool event_check<N>::keeps_aside(const mover& x) const {
     });
 }
 
-// A point crosses a plane where its height, a linear function of time, changes its sign.
+// A point crosses a plane when its height, a linear function of time, changes sign.
 template <int N>
 void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool meet) const {
     const mover& x = movers_[static_cast<std::size_t>(a)];
     const graze::scene_pair who = named(a, b);
-    if (meet || x.last == who) { // it is there at one end of its way, and so nowhere between
+    if (meet || x.last == who) { // at one end of its way it is there, so nowhere in between
         return;
     }
     with_standing(b, [&](const auto& s) {
@@ -37,7 +37,7 @@ void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool 
             return 0;
         }
         if (first == 0 && then) {
-            for (const side& kept : x.sides) { // it was at the plane at that instant, and goes on from there
+            for (const side& kept : x.sides) { // it starts at the plane
                 if (kept.standing == b && kept.sign * *then < 0) {
                     const std::optional<int> place = place_in<N>(s, from);
                     if (!place) {
@@ -58,7 +58,7 @@ void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool 
             if (place == 1) {
                 judge(verdict::crossed, who, x.now.since);
             }
-            if (place == 0 && keeps_aside(x)) { // what it slides along may stand between
+            if (place == 0 && keeps_aside(x)) { // what it slides along may shield the border
                 return 0;
             }
         }
@@ -71,7 +71,7 @@ void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool 
     });
 }
 
-// The side on which it came before to a plane with that normal, in which it is; 0 if that is not known.
+// For a point in a plane with this normal: the side from which it came there; 0 if unknown.
 template <int N>
 int event_check<N>::side_along(const mover& x, const vector_of<N>& normal) const {
     for (const side& kept : x.sides) {
@@ -101,7 +101,7 @@ void event_check<N>::note_sides(int a, const certified& t, const graze::scene_pa
             if (met || (height(t) == 0 && place_in<N>(s, place_at<N>(x.now, t)) != -1)) {
                 const std::optional<int> speed = graze::dot(x.now.state.velocity, normal_of<N>(s)).certain_sign();
                 int from = met && speed ? -*speed : height(x.now.since).value_or(0);
-                if (from == 0 && (stands_still || speed == 0)) { // as it came before
+                if (from == 0 && (stands_still || speed == 0)) { // the side is the one from which it came earlier
                     from = side_along(x, normal_of<N>(s));
                 }
                 if (from != 0) {

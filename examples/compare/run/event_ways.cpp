@@ -1,4 +1,4 @@
-// That nothing else was met on the way.
+// Checks that nothing else was met on the way.
 #include "check_words.hpp"
 #include "event_check.hpp"
 
@@ -35,7 +35,7 @@ void event_check<N>::check_pair(int a, int b, const certified* t, const image* m
     }
     const graze::scene_pair who{graze::partner::ball, std::min(a, b), std::max(a, b)};
     if (is_point(x) && is_point(y) && (met != nullptr || (x.last == who && y.last == who))) {
-        return; // two points are at one place at one instant at most
+        return; // two points are at the same place at one instant at most
     }
     const certified from = larger(x.now.since, y.now.since);
     const bool known = space_.for_each(x.now, y.now, from, t, [&](const image& periods) {
@@ -71,7 +71,7 @@ void event_check<N>::check_standing(int a, std::size_t b, const certified* t, co
             judge(v, named(a, b), x.now.since);
         }
     };
-    if (b < scene_.planes.size()) { // of which no normal has a component along a period
+    if (b < scene_.planes.size()) { // a plane is its own image: no normal has a component along a period
         check_image({});
     } else if (!with_standing(b,
                               [&](const auto& s) { return space_.for_each(x.now, s, x.now.since, t, check_image); })) {
@@ -79,7 +79,7 @@ void event_check<N>::check_standing(int a, std::size_t b, const certified* t, co
     }
 }
 
-// At an inner edge of a triangle, and at its ends, nothing is met.
+// Nothing is met at an inner edge of a triangle or at its ends.
 template <int N>
 bool event_check<N>::may_touch_inner_edge(const mover& x, std::size_t b, const image& periods,
                                           const certified* t) const {

@@ -1,4 +1,4 @@
-// What is bounded and flat.
+// Walls and triangles.
 #pragma once
 
 #include "certified.hpp"

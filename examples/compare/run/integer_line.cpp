@@ -18,7 +18,7 @@ void scale(integer_line<N>& a, const mpz_class& factor) {
     }
 }
 
-// Both over one denominator.
+// Gives both the same denominator.
 template <int N>
 void join(integer_line<N>& a, integer_line<N>& b) {
     if (a.denominator == b.denominator) {
@@ -29,7 +29,7 @@ void join(integer_line<N>& a, integer_line<N>& b) {
     scale(b, mpz_class(common / b.denominator));
 }
 
-// x times the denominator of a and, if there is one, of b, which are one; they are scaled so that it is an integer.
+// x times the denominator of a, which is b's too if b is given. Scales both lines so that it is an integer.
 template <int N>
 mpz_class in_units_of(const mpq_class& x, integer_line<N>& a, integer_line<N>* b) {
     if (mpz_divisible_p(a.denominator.get_mpz_t(), x.get_den_mpz_t()) == 0) {
@@ -65,7 +65,7 @@ bool bounce_head_on(integer_line<N>& first, integer_line<N>& second, const mpq_c
         }
     }
     mpz_class distance = in_units_of(reach, a, &b);
-    const mpz_class closing = a.speed[axis] - b.speed[axis]; // where they touch, a is behind b by the reach
+    const mpz_class closing = a.speed[axis] - b.speed[axis]; // when they touch, a is behind b by the reach
     if (sgn(closing) < 0) {
         distance = -distance;
     }

@@ -1,5 +1,5 @@
-// Long rational flights without a division: integers over one denominator, which head-on collisions and bounces off
-// what stands across an axis change by factors alone.
+// Long rational flights without division: integers over one denominator. Head-on collisions, and bounces off planes
+// across an axis, multiply them by factors.
 #pragma once
 
 #include <graze/linear/vec.hpp>
@@ -8,8 +8,8 @@
 
 namespace compare::run {
 
-// A ball that is at (place + speed t)/denominator at the time t, from since on. Every fraction may have common factors:
-// to look for them would take longer than all else. Denominators are positive.
+// A ball that is at (place + speed t)/denominator at each time t from `since` on. Fractions may have common factors:
+// looking for them would take longer than everything else. Denominators are positive.
 template <int N>
 struct integer_line {
     mpz_class denominator;
@@ -19,16 +19,15 @@ struct integer_line {
     } since;
 };
 
-// Two that touch at the distance `reach`, after they have come closer along an axis while no other coordinate tells
-// them apart: both lines as they go on from there. With masses by their inverses, not both 0. The contact keeps the
-// common centre's line, and the lines themselves, not only the velocities, change by the same factors: a's by 2
-// inverse_a/(inverse_a + inverse_b) of what separates the two less the reach. False, and nothing changed, where they
-// don't meet like that.
+// Two balls that touch at the distance `reach`, after coming closer along an axis with all other coordinates equal:
+// both lines after the contact. Masses are given by their inverses, not both 0. The contact keeps the line of the
+// common centre. The whole lines change, not only the velocities: a's by 2 inverse_a/(inverse_a + inverse_b) times
+// their separation less the reach. Returns false, and changes nothing, if the balls do not meet like that.
 template <int N>
 [[nodiscard]] bool bounce_head_on(integer_line<N>& a, integer_line<N>& b, const mpq_class& reach,
                                   const mpq_class& inverse_a, const mpq_class& inverse_b);
 
-// One of radius r that meets a plane across an axis, likewise.
+// The same for a ball of radius r that meets a plane across an axis.
 template <int N>
 [[nodiscard]] bool bounce_off(integer_line<N>& a, const mpq_class& r, const graze::vec<N, mpq_class>& point,
                               const graze::vec<N, mpq_class>& normal);

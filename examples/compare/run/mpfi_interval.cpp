@@ -59,7 +59,7 @@ mpfi_interval operator+(const mpfi_interval& x, const mpfi_interval& y) { return
 mpfi_interval operator-(const mpfi_interval& x, const mpfi_interval& y) { return result_of(mpfi_sub, x, y); }
 
 mpfi_interval operator*(const mpfi_interval& x, const mpfi_interval& y) {
-    if (&x == &y) { // the two factors are then equal wherever the value is: the square has nothing negative
+    if (&x == &y) { // both factors are the same number, so the square is not negative
         mpfi_interval result(x.bits());
         mpfi_sqr(result.get(), x.get());
         return result;

@@ -1,5 +1,5 @@
-// MPFI's intervals as values (link mpfi and mpfr): each has a precision of its own, and a result has the larger of its
-// operands'. (Boost.Multiprecision's mpfi_float takes the precision of every result from a setting of the thread, or
+// MPFI's intervals as values (link mpfi and mpfr). Each has its own precision, and a result has the larger precision of
+// its operands. (Boost.Multiprecision's mpfi_float takes the precision of every result from a setting of the thread, or
 // from the type.)
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace compare::run {
 
-// Two binary numbers of the same precision, with the true value between them. Every operation rounds outwards.
+// Two binary numbers of the same precision that enclose the true value. Every operation rounds outwards.
 class mpfi_interval {
   public:
     explicit mpfi_interval(mpfr_prec_t bits); // [0, 0]
@@ -26,15 +26,15 @@ class mpfi_interval {
     [[nodiscard]] mpfi_interval operator-() const;
 
   private:
-    mpfi_t value_; // of precision 0, with no memory of its own, in what was moved from
+    mpfi_t value_; // after a move: precision 0 and no memory
     void release() noexcept;
 };
 
 [[nodiscard]] mpfi_interval operator+(const mpfi_interval& x, const mpfi_interval& y);
 [[nodiscard]] mpfi_interval operator-(const mpfi_interval& x, const mpfi_interval& y);
 [[nodiscard]] mpfi_interval operator*(const mpfi_interval& x, const mpfi_interval& y); // x * x: a square
-[[nodiscard]] mpfi_interval operator/(const mpfi_interval& x, const mpfi_interval& y); // by 0: everything
-[[nodiscard]] mpfi_interval sqrt(const mpfi_interval& x); // NaN where x has something negative
+[[nodiscard]] mpfi_interval operator/(const mpfi_interval& x, const mpfi_interval& y); // by 0: the whole line
+[[nodiscard]] mpfi_interval sqrt(const mpfi_interval& x); // NaN if x contains negative numbers
 
 // An enclosure of the larger of the two values.
 [[nodiscard]] mpfi_interval larger(const mpfi_interval& x, const mpfi_interval& y);

@@ -34,7 +34,7 @@ bool moves(const path& p) {
     return std::any_of(p.begin(), p.end(), [&](const auto& q) { return q[1] != p.front()[1] || q[2] != p.front()[2]; });
 }
 
-// One block of points for all paths that go anywhere, an empty line between two; empty if none does.
+// The points of all paths that move, with an empty line after each; empty if none moves.
 std::string points_of(const std::vector<path>& paths) {
     std::string text;
     for (const path& p : paths) {
@@ -47,7 +47,7 @@ std::string points_of(const std::vector<path>& paths) {
     return text;
 }
 
-// Where the path is at a time that is not before its start.
+// The place on the path at time t, which is not before its start.
 std::array<double, 2> place_at(const path& p, double t) {
     std::size_t next = 1;
     while (next + 1 < p.size() && p[next][0] < t) {
@@ -58,7 +58,7 @@ std::array<double, 2> place_at(const path& p, double t) {
     return {from[1] + share * (to[1] - from[1]), from[2] + share * (to[2] - from[2])};
 }
 
-// The first time at which some ball is farther than that from where it truly is, and where it truly is.
+// The first time at which some ball is farther than `distance` from its true place, and that place.
 std::optional<std::array<double, 3>> parting(const std::vector<path>& right, const std::vector<path>& found,
                                              double distance) {
     std::optional<std::array<double, 3>> first;

@@ -57,7 +57,7 @@ outline circle(double x, double y, double radius) {
 template <int N>
 std::string overlap_remark(const exact_scene<N>& scene) {
     if (scene.is_periodic()) {
-        return ""; // images would have to be looked at
+        return ""; // their images might overlap, too
     }
     const auto own = scene_in<exact>(scene, exact(1), [](const exact& x) { return x; });
     const std::vector<graze::scene_pair> pairs = graze::overlapping(own.view());
@@ -116,7 +116,7 @@ std::vector<path> paths_of(const certified_result<2>& proved, const exact_scene<
     return all;
 }
 
-// Digits after the point, of a number of about this size.
+// The digits after the point of a number of about this size.
 long decimals_for(double size, int digits) {
     return size > 0 ? digits - 1 - static_cast<long>(std::floor(std::log10(size))) : digits;
 }
@@ -181,7 +181,7 @@ run_report report_of(const exact_scene<N>& scene, const run_options& o, const st
                           std::to_string(scene.balls.size() - 1));
     }
     certainty wanted = o.wanted;
-    // The truth beside types: to more digits than the finest of them has.
+    // Beside types, the truth needs more digits than the finest type has.
     constexpr int of_types = 120;
     wanted.digits = types.empty() ? wanted.digits : std::max(wanted.digits, of_types);
     wanted.digits += o.distance ? 3 : 0;
@@ -193,7 +193,7 @@ run_report report_of(const exact_scene<N>& scene, const run_options& o, const st
         truth.distance_of = static_cast<std::size_t>(*o.distance);
     }
     run_plan plan{o.how_far, o.timing, !o.paths.empty(), {}};
-    if (!proved.problem.empty() || interrupted()) { // no further than is known
+    if (!proved.problem.empty() || interrupted()) { // no farther than the truth is known
         plan.how_far.events = proved.events.size();
     }
     for (const runnable& type : types) {
@@ -254,7 +254,7 @@ bool run_scene(const run_options& o, const std::string& command, const progress_
         write_whole_file(o.json, to_json(r));
     }
     std::cout << to_text(r, o.with_events) << std::flush;
-    if (!o.picture.empty()) { // last: without gnuplot these fail
+    if (!o.picture.empty()) { // last, since these fail without gnuplot
         write_picture_that_is(digits_picture(r), command, o.picture);
     }
     if (!o.paths.empty()) {

@@ -1,4 +1,4 @@
-// `graze-compare run`: proves a scene's sequence of collisions, runs every number type beside it, tells.
+// `graze-compare run`: proves a scene's sequence of collisions, runs every number type on the scene, and reports.
 #pragma once
 
 #include "../progress.hpp"
@@ -8,8 +8,8 @@
 
 namespace compare::run {
 
-// What has been found is printed, and written, also where the certified run ended early. Returns whether it got to the
-// end that was asked for. Throws input_error.
+// Prints and writes what was found, even if the certified run ended early. Returns whether it reached the end that was
+// asked for. Throws input_error.
 [[nodiscard]] bool run_scene(const run_options& options, const std::string& command, const progress_line& line);
 
 } // namespace compare::run

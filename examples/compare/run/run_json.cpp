@@ -44,7 +44,7 @@ json type_of(const judged_history& j) {
     return type;
 }
 
-// Whether the states at the end are rational numbers, which have every digit.
+// Whether the states at the end are rational, so that every digit is known.
 bool is_exact(const run_report& r) { return r.digits == std::numeric_limits<int>::max(); }
 
 } // namespace

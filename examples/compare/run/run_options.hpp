@@ -20,16 +20,16 @@ struct run_options {
     extent how_far;
     certainty wanted;
     number_input numbers = number_input::exactly;
-    std::vector<std::string> types; // all, if empty
+    std::vector<std::string> types; // all types, if empty
     bool certified_alone = false;
     bool with_events = false;
-    std::optional<int> distance; // of this ball
+    std::optional<int> distance; // from the origin, of the ball of this number
     double timing = 0.1;
     std::string json, picture, paths;
-    std::string beside = "double"; // the type of the picture of paths
+    std::string beside = "double"; // the type whose paths are drawn beside the true ones
 };
 
-// As CLI11 fills them, before they are looked at.
+// The options as CLI11 fills them, before they are checked.
 struct raw_run_options {
     run_options parsed;
     std::string until, as = "exact";
@@ -40,7 +40,7 @@ struct raw_run_options {
 // Adds the subcommand; `to` must live until the command line has been parsed.
 [[nodiscard]] CLI::App* add_run_command(CLI::App& app, raw_run_options& to);
 
-// Throws input_error that names the option.
+// Throws input_error, which names the option.
 [[nodiscard]] run_options checked(const raw_run_options& raw, const CLI::App& command);
 
 } // namespace compare::run

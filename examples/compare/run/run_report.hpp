@@ -1,4 +1,4 @@
-// What is told of the runs of a scene.
+// What is reported of the runs of a scene.
 #pragma once
 
 #include "runnable.hpp"
@@ -16,7 +16,7 @@ struct judged_history {
     first_mistake mistake;
 };
 
-// A ball that moves, at the end, in decimals.
+// A moving ball at the end, in decimals.
 struct end_state {
     int ball;
     std::vector<std::string> position, velocity;
@@ -29,7 +29,7 @@ struct proved_event {
     bool tied, either_order, chosen;
 };
 
-// What stands in a picture of the plane: circles of mirrors, segments of walls and the ends of planes far away.
+// What stands still in a picture of the plane: a circle for a mirror, a segment for a wall, a long one for a plane.
 struct outline {
     std::vector<std::array<double, 2>> points;
 };
@@ -37,7 +37,7 @@ struct outline {
 struct run_report {
     std::string command, scene;
     std::vector<proved_event> events;
-    std::string end; // the time of it, in decimals
+    std::string end; // the time of the end, in decimals
     graze::ending why{};
     std::vector<graze::participant> jammed; // of a cascade
     std::string problem;                    // what ended the certified run early
@@ -49,15 +49,15 @@ struct run_report {
     int digits_wanted = 0;
     int digits = 0; // that the states at the end have
     std::vector<end_state> states;
-    std::optional<int> distance_of; // a ball
-    std::string distance;           // from the origin, at the end
+    std::optional<int> distance_of; // the number of a ball
+    std::string distance;           // of that ball from the origin, at the end
     std::vector<judged_history> types;
     std::vector<path> paths; // the true ones, in 2D
     std::vector<double> radii;
     std::vector<outline> outlines;
 };
 
-// For the terminal. with_events: the proved sequence too.
+// For the terminal. with_events: list the proved sequence, too.
 [[nodiscard]] std::string to_text(const run_report& report, bool with_events);
 
 // For programs.
@@ -66,9 +66,9 @@ struct run_report {
 // "double is right for 14 collisions, to 5 digits; for 10 digits take dd_real."
 [[nodiscard]] std::string conclusion(const run_report& report);
 
-// Correct digits against collisions, a line a type; the true paths beside a type's, with balls at the start and the
-// end, collisions, and where the two part. As SVG elements, the first empty where no type has a right event. Throw
-// report::gnuplot_error.
+// Correct digits against collisions, a line for each type; and the true paths beside a type's, with the balls at the
+// start and the end, the collisions, and where the two part. Both are SVG elements; the first is empty if no type has a
+// right event. Both throw report::gnuplot_error.
 [[nodiscard]] std::string digits_picture(const run_report& report);
 [[nodiscard]] std::string paths_picture(const run_report& report, const judged_history& beside);
 

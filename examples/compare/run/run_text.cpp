@@ -21,7 +21,7 @@ std::string time_text(double t) {
     return text;
 }
 
-// The most events that a run is listed with on a terminal, and the most balls of which states are.
+// At most this many events are listed on a terminal, and the states of at most this many balls.
 constexpr std::size_t most_listed = 20;
 
 std::string heading(const run_report& r) {

@@ -10,8 +10,8 @@
 
 namespace compare::run {
 
-// timing: the seconds to spend on a type's events per second, at least; 0: none. with_paths: for pictures, in 2D.
-// show_progress(events, time): called now and then.
+// timing: how many seconds, at least, to measure a type's events per second; 0: not at all. with_paths: record paths
+// for pictures, in 2D. show_progress(events, time) is called now and then.
 struct run_plan {
     extent how_far;
     double timing = 0.1;
@@ -25,7 +25,7 @@ struct runnable {
     history (*in_space)(const exact_scene<3>&, const true_sequence<3>&, const run_plan&);
 };
 
-// Those of this build, in the order of the list of types.
+// The types of this build, in the order of the list of types.
 [[nodiscard]] std::vector<runnable> all_runnables();
 
 namespace types {

@@ -2,7 +2,7 @@
 
 namespace compare::run {
 
-// COMPARE_HAS_* are set by the build.
+// The build sets COMPARE_HAS_*.
 std::vector<runnable> all_runnables() {
     std::vector<runnable> list;
     list.push_back(types::of_graze());
@@ -16,7 +16,7 @@ std::vector<runnable> all_runnables() {
     list.push_back(types::of_float128());
 #endif
     list.push_back(types::of_cpp_bin_float_50());
-    list.push_back(types::of_mpfr_float_50()); // MPFI rests on MPFR
+    list.push_back(types::of_mpfr_float_50()); // always there: the certified run needs MPFI, and MPFI needs MPFR
     list.push_back(types::of_cpp_bin_float_100());
     return list;
 }

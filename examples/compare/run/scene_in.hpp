@@ -1,4 +1,4 @@
-// A scene in the numbers of a run.
+// A scene in a run's number type.
 #pragma once
 
 #include "../problem.hpp"
@@ -11,7 +11,7 @@
 
 namespace compare::run {
 
-// Owns what a graze::scene refers to.
+// Owns the arrays of a graze::scene.
 template <int N, class T>
 struct owned_scene {
     std::vector<graze::ball<N, T>> balls;
@@ -19,7 +19,7 @@ struct owned_scene {
     std::vector<graze::wall<N, T>> walls;
     graze::vec<N, T> period = graze::make_vec<N>([](int) { return T(0); });
     std::vector<graze::triangle<T>> triangles = {}; // in space
-    std::vector<std::uint8_t> inner_edges = {};     // of each of them
+    std::vector<std::uint8_t> inner_edges = {};     // of each triangle
 
     [[nodiscard]] graze::scene<N, T> view() const {
         graze::scene<N, T> s{balls, planes, walls};
@@ -32,7 +32,7 @@ struct owned_scene {
     }
 };
 
-// Every number by `convert`, an infinite mass by `infinity`.
+// Converts every number by `convert`; an infinite mass becomes `infinity`.
 template <class T, int N, class Convert>
 [[nodiscard]] owned_scene<N, T> scene_in(const exact_scene<N>& scene, const T& infinity, Convert convert) {
     const auto vector_in = [&](const graze::vec<N, exact>& x) {

@@ -36,7 +36,7 @@ graze::vec<N, wide> place_of(const graze::ball<N, certified>& b) {
     return graze::make_vec<N>([&](int i) { return wide_of_interval(b.position[i]); });
 }
 
-// Decimal digits that an error leaves of something of a size.
+// The correct decimal digits of something of this size that has this error.
 double digits_left(const wide& error, const wide& size) {
     constexpr double all = wide_digits * 0.30102999566398120;
     return error == 0 ? all : std::clamp(static_cast<double>(-log10(wide(error / size))), 0.0, all);
@@ -112,7 +112,7 @@ void judge<N>::event(graze::scene_pair who, double time, const place& a, const p
         right_ = false;
         return;
     }
-    // Any of those that may come as well in place of the first that has not come yet.
+    // The first true event that has not come yet, or a later one that may come in its place.
     std::size_t first = static_cast<std::size_t>(std::find(taken_.begin(), taken_.end(), false) - taken_.begin());
     std::size_t step = first;
     while (step < truth_.steps.size() && (taken_[step] || truth_.steps[step].who != who)) {
@@ -177,7 +177,8 @@ first_mistake first_mistake_of(const history& found, const certified_result<N>& 
     if (found.compared == comparison::none || (at >= all && (found.events.size() <= all || !known_further))) {
         return {mistake::none, at, 0, ""};
     }
-    // The right ones among the first `at` are the truth's first, but for those of one time, which may be exchanged.
+    // Whether `who` is among the next 64 events. Before `at`, both sequences have the same events, but for exchanged
+    // ones.
     const auto comes = [](const auto& events, std::size_t from, const graze::scene_pair& who, auto name) {
         const std::size_t to = std::min(events.size(), from + 64);
         for (std::size_t i = from; i < to; ++i) {
@@ -203,7 +204,7 @@ first_mistake first_mistake_of(const history& found, const certified_result<N>& 
     }
     const certified_event<N>& due = proved.events[at];
     const double due_at = near_double(due.time);
-    // What comes after the proved end may happen, and what is due may come after the end of what was run.
+    // What comes after the end of the proof may happen, and what is due may come after the end of the type's run.
     const bool happens = comes(proved.events, at, has, true_name) ||
                          (!known_further && found.times[at] >= near_double(proved.events.back().time));
     const bool is_had = comes(found.events, at, due.who, own) || found.compared == comparison::part || !known_further;

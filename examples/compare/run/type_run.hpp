@@ -1,4 +1,4 @@
-// A run in a number type, recorded and judged, then once more against the clock.
+// A run in a number type: recorded and judged first, then timed.
 #pragma once
 
 #include "runnable.hpp"
@@ -17,7 +17,7 @@
 
 namespace compare::run {
 
-// What M's numbers are made of: the conversion from exact values, and an infinite mass.
+// An infinite mass in T.
 template <class T>
 [[nodiscard]] T infinite_mass() {
     return T(std::numeric_limits<double>::infinity());
@@ -56,7 +56,7 @@ class type_run {
     type_run(const exact_scene<N>& scene, const true_sequence<N>& truth, const run_plan& plan)
         : scene_(scene), truth_(truth), plan_(plan),
           own_(scene_in<number>(scene, infinite_mass<number>(), [](const exact& x) { return convert<number>(x); })) {
-        // In a wrong sequence there may be many more.
+        // A wrong sequence may have many more events than the true one.
         limits_.events = plan.how_far.events.value_or(2 * truth.steps.size() + 1000);
         limits_.jam = plan.how_far.jam;
         if (plan.how_far.until) {
@@ -102,7 +102,7 @@ class type_run {
     }
 
   private:
-    using observer = std::function<bool(const graze::run_event<M>&)>; // one for both runs: advance is compiled once
+    using observer = std::function<bool(const graze::run_event<M>&)>; // for both runs: advance is compiled once
 
     const exact_scene<N>& scene_;
     const true_sequence<N>& truth_;
@@ -158,7 +158,7 @@ class type_run {
     void drift(history& found, const graze::run<M>& run) const {
         wide energy = 0, before = 0, momentum = 0;
         graze::vec<N, wide> gained{};
-        bool alone = own_.planes.empty() && own_.walls.empty() && own_.triangles.empty(); // nothing takes momentum
+        bool alone = own_.planes.empty() && own_.walls.empty() && own_.triangles.empty(); // nothing absorbs momentum
         for (std::size_t i = 0; i < scene_.balls.size(); ++i) {
             if (scene_.balls[i].inverse_mass.is_zero()) {
                 alone = false;

@@ -1,10 +1,10 @@
-// Included before anything else where CGAL is used (first of its precompiled headers, see CMakeLists.txt): errors of
-// CORE's become exceptions.
+// Turns CORE's errors into exceptions. Must be included before everything else where CGAL is used (it is the first of
+// its precompiled headers, see CMakeLists.txt).
 //
-// CORE::core_error writes a file Core_Diagnostics into the current directory and, of an error, ends the program. Real
-// input leads there: the sign of a sum in which a quotient is small (below 2^-60 or so) divides by an approximation
-// without a correct bit ("possible zero divisor"). The macro renames the function in CORE's headers; its calls,
-// whose file name is a literal, then find the better match here.
+// CORE::core_error writes a file Core_Diagnostics into the current directory and, for an error, ends the program.
+// Ordinary input leads there: to find the sign of a sum with a small quotient (below about 2^-60), CORE divides by an
+// approximation without a correct bit ("possible zero divisor"). The macro renames the function in CORE's headers.
+// Their calls pass a literal as file name, so they find the better match below.
 #pragma once
 
 #include <stdexcept>

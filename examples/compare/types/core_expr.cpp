@@ -20,7 +20,7 @@ CORE::Expr expression_of(const due_number& x) {
     return expression_of(x.p) + expression_of(x.q) * CORE::sqrt(expression_of(x.d));
 }
 
-// A binary number within 2^-400 of x, relatively.
+// A binary number within a relative 2^-400 of x.
 binary_number approximation_of(const CORE::Expr& x) {
     const CORE::BigFloat value = x.approx(400, CORE::extLong::getPosInfty()).BigFloatValue();
     CORE::BigInt significand = value.m();
@@ -36,7 +36,7 @@ struct converter<CORE::Expr> {
 
 template <>
 struct reader<CORE::Expr> {
-    // No value where CORE gives none but an error (see core_errors.hpp).
+    // Tells no value if CORE reports an error (see core_errors.hpp).
     static void read(const CORE::Expr& x, const request& asked) {
         try {
             if (x == expression_of(asked.due)) {

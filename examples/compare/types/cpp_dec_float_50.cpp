@@ -12,7 +12,7 @@ namespace compare {
 using cpp_dec_float_50 =
     boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
-// Good to more than the 50 digits, of which it holds about 80; a decimal quotient is not correctly rounded.
+// Right to more than 50 digits (the type holds about 80). A decimal quotient is not correctly rounded.
 template <>
 struct converter<cpp_dec_float_50> {
     [[nodiscard]] static cpp_dec_float_50 from(const exact_view& x) {
@@ -22,7 +22,7 @@ struct converter<cpp_dec_float_50> {
 
 template <>
 struct reader<cpp_dec_float_50> {
-    // All digits that it holds, more than 50, as text.
+    // Reads all digits that it holds, which are more than 50, as text.
     static void read(const cpp_dec_float_50& x, const request& asked) {
         if (!isfinite(x)) {
             return asked.to.not_finite();

@@ -9,7 +9,7 @@
 
 namespace compare {
 
-// The nearest double, and the nearest to what is left.
+// The double nearest to x, and the double nearest to the rest.
 template <>
 struct converter<dd_real> {
     [[nodiscard]] static dd_real from(const exact_view& x) {

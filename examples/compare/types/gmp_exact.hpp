@@ -28,7 +28,7 @@ inline void set_integer(mpz_ptr to, const whole_number& x) {
     }
 }
 
-// The parts of a view are in lowest terms.
+// Needs no reduction: a view's parts are in lowest terms.
 inline void set_rational(mpq_ptr to, const exact_view& x) {
     const fraction parts = x.parts();
     set_integer(mpq_numref(to), parts.numerator);

@@ -1,5 +1,5 @@
-// graze's own results beside the formulas in number types: exact decisions, and correctly rounded times, positions and
-// velocities, by graze::collide. Its single form is listed as lagrange/stable.
+// graze's own results beside the formulas in number types: exact decisions and correctly rounded times, positions and
+// velocities, by graze::collide. They are listed as the single form lagrange/stable.
 #include "../measure.hpp"
 #include "types.hpp"
 
@@ -12,7 +12,7 @@ namespace compare::types {
 
 namespace {
 
-// Where contacts go, out of the compiler's sight.
+// Receives contacts in a way that the compiler cannot see through, so that none is optimised away.
 template <int N, class T>
 class contact_sink {
   public:
@@ -69,7 +69,7 @@ class contact_solver final : public solver {
         for (std::size_t i = 0; i < count; ++i) {
             try {
                 collide(inputs_[i], *forgetting_);
-            } catch (const std::domain_error&) { // one that T cannot hold
+            } catch (const std::domain_error&) { // a number that T cannot hold
             }
         }
     }
@@ -111,7 +111,7 @@ class contact_solver final : public solver {
         }
     }
 
-    // What a contact does not tell: which encounter it is, and which edge or corner.
+    // Decides what a contact does not say: the encounter, and the edge or corner.
     static bool decide(const input<N, T>& pair, answer_sink& to) {
         switch (pair.kind) {
         case pair_kind::ball_ball:

@@ -10,7 +10,7 @@ namespace compare::run {
 
 namespace {
 
-// dd_real with what a run needs and QD does not have: a conversion to double, and 1/∞, which is NaN there, as 0.
+// dd_real with what a run needs and QD lacks: a conversion to double, and 1/∞ = 0, which is NaN in QD.
 struct double_double {
     dd_real value;
     double_double() = default;
