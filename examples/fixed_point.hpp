@@ -1,5 +1,5 @@
-// A user's own number type: 32.32 fixed point, as used in games and on machines without a floating-point unit. Ten
-// lines of number_traits make it a graze::number.
+// A user's own number type: 32.32 fixed point, as in games and on machines without a floating-point unit. Ten lines of
+// number_traits make it a graze::number.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <stdexcept>
 
-// Whole multiples of 2^-32 below 2^31. Sums are exact; products, quotients and roots are rounded down to the grid; a
-// result that does not fit throws.
+// Multiples of 2^-32 below 2^31 in magnitude. Sums are exact. Products, quotients and roots are rounded down to the
+// grid. A result that does not fit throws.
 class fixed_point {
   public:
     fixed_point() = default;
@@ -34,7 +34,7 @@ class fixed_point {
     }
     friend constexpr auto operator<=>(fixed_point, fixed_point) = default;
 
-    // The value times 2^32, and back.
+    // The value times 2^32, and the value from that.
     [[nodiscard]] constexpr std::int64_t raw() const { return raw_; }
     static constexpr fixed_point from_raw(std::int64_t raw) {
         fixed_point x;

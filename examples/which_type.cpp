@@ -9,7 +9,7 @@ namespace {
 
 // A billiard table of 2.54 m: positions and radii in steps of 1/2 mm, velocities in steps of 1/64 m/s up to 8 m/s.
 constexpr graze::grid table{.length = 13, .velocity = 10};
-// The same table with positions in steps of 1/64 mm, which still fit into a float's 24 bits.
+// The same table with positions in steps of 1/64 mm. They still fit into a float's 24 bits.
 constexpr graze::grid fine_table{.length = 18, .velocity = 10};
 
 // In doubles, no number of a decision is ever rounded: solve decides exactly, and nothing else is needed.

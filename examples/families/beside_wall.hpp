@@ -5,8 +5,8 @@
 
 namespace families {
 
-// A wall, and a ball seen from its corner, in units of 2^length and 2^velocity; the radius in units of 2^(length -
-// finer).
+// A wall, and a ball with its position relative to the wall's corner, in units of 2^length and 2^velocity; the radius
+// in units of 2^(length - finer).
 template <int N>
 struct ball_and_wall {
     integers<N> w, u;
@@ -17,7 +17,7 @@ struct ball_and_wall {
     int velocity = -50;
 };
 
-// With the ball's position drawn at random.
+// As doubles. The ball's position is drawn at random, and the wall placed accordingly.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> ball_beside_wall(random& r, const ball_and_wall<N>& m) {
     pair_of_doubles<N> pair;
@@ -54,7 +54,7 @@ constexpr void turn_about(random& r, ball_and_wall<N>& m) {
     return x[1] * y[2] == x[2] * y[1] && x[2] * y[0] == x[0] * y[2] && x[0] * y[1] == x[1] * y[0];
 }
 
-// A combination of the axes.
+// An integer combination of the frame's axes.
 template <int N>
 [[nodiscard]] constexpr integers<N> combination(const frame<N>& f, const integers<N>& factors) {
     integers<N> result{};

@@ -1,11 +1,11 @@
-// Balls that touch, or almost touch. The difficulty is the sign and the size of c = |Δx|² - R².
+// Balls that touch, or almost touch. What is hard is the sign and the size of c = |Δx|² - R².
 #pragma once
 
 #include "passage.hpp"
 
 namespace families {
 
-// Towards (sign = -1) or away from (+1) axis[0] of the frame, in any direction.
+// A random direction towards (sign = -1) or away from (+1) axis[0] of the frame.
 template <int N>
 [[nodiscard]] constexpr integers<N> random_velocity_towards(random& r, const frame<N>& axes, int sign, int bits) {
     integers<N> u = random_vector<N>(r, bits);
@@ -14,7 +14,7 @@ template <int N>
 }
 
 // The gap between the balls is 2^-k R to within a factor of 2, k from 4 to 56, so that rounding loses c. Half of the
-// pairs close the gap straight, three in eight move so much sideways that they may miss, one in eight parts.
+// pairs close the gap straight; three in eight move so much sideways that they may miss; one in eight recedes.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> near_contact(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -55,7 +55,7 @@ template <int N>
 
 // Pairs as rounding leaves them after a bounce: each component of Δx is up to one unit in the last place away from a
 // contact, and the balls part. About half of the pairs overlap, which is no collision. One pair in four parts so
-// slowly, after almost a graze, that rounding may reverse its velocity.
+// slowly, almost like a graze, that rounding may reverse its velocity.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> after_bounce(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

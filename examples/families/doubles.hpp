@@ -30,7 +30,7 @@ namespace families {
 }
 
 // The neighbour of a finite x that is one unit in the last place larger (steps = 1) or smaller (-1) in magnitude. 0 has
-// no smaller one and stays.
+// no smaller neighbour and stays.
 [[nodiscard]] constexpr double beside(double x, int steps) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     if (bits << 1U == 0 && steps < 0) {

@@ -1,4 +1,4 @@
-// Families of hard pairs, as doubles: the pairs that collision code gets wrong, by cause.
+// Families of hard pairs, as doubles: the pairs that collision code gets wrong, sorted by cause.
 //
 // Only integers are random, and there is no floating-point operation. So a seed gives the same pairs on every platform,
 // in any rounding mode and with any compiler flags. Needs only the standard library and graze's shapes.
@@ -23,7 +23,7 @@ using generator = pair_of_doubles<N> (*)(std::uint64_t seed, std::uint64_t index
 struct family {
     std::string_view name;
     std::string_view what_makes_it_hard;
-    std::string_view hardness; // what the pairs' k says, or empty
+    std::string_view hardness; // what the pairs' k means, or empty
     generator<2> in_the_plane;
     generator<3> in_space;
 

@@ -52,8 +52,8 @@ struct frame {
     std::int64_t length;
 };
 
-// From a random complex number squared or a random quaternion (Euler's and Rodrigues' parameters), of odd norm, so that
-// no axis is even.
+// Made from the square of a random complex number or from a random quaternion (Euler's and Rodrigues' parameters),
+// whose norm is odd so that no axis is even.
 template <int N>
 [[nodiscard]] constexpr frame<N> random_frame(random& r) {
     if constexpr (N == 2) {
@@ -70,8 +70,8 @@ template <int N>
     }
 }
 
-// A direction perpendicular to axis[0], and a bound of its length over the frame's: weight/√2 <= |vector|/length <=
-// weight.
+// A direction perpendicular to axis[0], and `weight`, which bounds its length in units of the frame's: weight/√2 <=
+// |vector|/length <= weight.
 template <int N>
 struct cross_direction {
     integers<N> vector; // components below 2^19

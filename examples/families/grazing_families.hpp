@@ -1,4 +1,4 @@
-// Balls that just touch or just don't. The difficulty is the sign of the discriminant.
+// Balls that just touch or just do not. What is hard is the sign of the discriminant.
 #pragma once
 
 #include "passage.hpp"
@@ -12,7 +12,7 @@ template <int N>
     random r(seed, index);
     const int k = 1 + static_cast<int>(index % 53);
     const passage<N> p = random_passage<N>(r, 48);
-    const int finer = std::max(0, k - 44); // R has the bits that its distance from m takes
+    const int finer = std::max(0, k - 44); // R needs the bits of its difference from m
     const std::int64_t m = p.distance << finer;
     const std::int64_t R = m + r.either_sign(random_fraction(r, m, k + 1));
     pair_of_doubles<N> pair = balls<N>(r, {p.start, random_speed(r, p, 51), R, finer});
@@ -27,7 +27,7 @@ template <int N>
     random r(seed, index);
     const passage<N> p = random_passage<N>(r, 48);
     pair_of_doubles<N> pair = balls<N>(r, {p.start, random_speed(r, p, 51), p.distance});
-    if (index % 2 == 1) { // a component that is not square to the foot, or the radius
+    if (index % 2 == 1) { // a component that is not perpendicular to the foot, or the radius
         auto i = r.below(N);
         while (p.foot[i] == 0) {
             i = (i + 1) % N;

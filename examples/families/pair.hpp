@@ -35,14 +35,14 @@ template <int N>
     return result;
 }
 
-// 1/4 to 4, with 53 random bits.
+// From 1/4 to 4, with 53 random bits.
 [[nodiscard]] constexpr double random_mass(random& r) {
     const std::int64_t significand = (std::int64_t{1} << 52) + static_cast<std::int64_t>(r.next() >> 12U);
     return make_double(significand, static_cast<int>(r.in(-54, -51)));
 }
 
-// Two balls' difference of positions, difference of velocities and sum of radii, in units of 2^length, 2^velocity and
-// 2^(length - finer).
+// The difference of two balls' positions, that of their velocities, and the sum of their radii, in units of 2^length,
+// 2^velocity and 2^(length - finer).
 template <int N>
 struct relative {
     integers<N> dx, du;
@@ -51,7 +51,7 @@ struct relative {
     int length = -50;
     int velocity = -50;
     int position_bits = 51; // of b's random position
-    int velocity_bits = 51; // and of its random velocity
+    int velocity_bits = 51; // of b's random velocity
 };
 
 // A random y such that y and x = y + difference are both doubles. If x would be too long, y takes the low bits of the
@@ -86,7 +86,7 @@ template <int N>
     const std::int64_t grid = std::int64_t{1} << std::max(0, width - 53);
     const std::int64_t largest = std::min(m.sum_of_radii, (std::int64_t{1} << 53) - grid);
     std::int64_t smaller = r.in(0, largest);
-    smaller -= (smaller - m.sum_of_radii % grid + grid) % grid; // what is left is a multiple of the grid
+    smaller -= (smaller - m.sum_of_radii % grid + grid) % grid; // makes the other radius a multiple of the grid
     smaller = smaller < 0 ? smaller + grid : smaller;
     pair.a.radius = make_double(m.sum_of_radii - smaller, m.length - m.finer);
     pair.b.radius = make_double(smaller, m.length - m.finer);

@@ -5,8 +5,8 @@
 
 namespace families {
 
-// A straight path whose least distance from the origin is `distance`, an integer: it goes from start through foot, the
-// point of that least distance.
+// A straight path whose least distance from the origin is `distance`, an integer. It goes from start through foot, the
+// point at that distance.
 template <int N>
 struct passage {
     frame<N> axes;
@@ -17,7 +17,7 @@ struct passage {
         start; // foot - along · a positive factor, 1 to 12 times as far from the foot as the foot from the origin
 };
 
-// With a distance of 2^(bits - 1) to 2^bits, bits >= 16. start's components are below 2^(bits + 4).
+// A passage with a distance of 2^(bits - 1) to 2^bits, bits >= 16. start's components are below 2^(bits + 4).
 template <int N>
 [[nodiscard]] constexpr passage<N> random_passage(random& r, int bits) {
     passage<N> p{};

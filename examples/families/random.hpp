@@ -11,7 +11,7 @@ class random {
   public:
     explicit constexpr random(std::uint64_t seed) : state_(seed) {}
 
-    // A stream of its own for each index of a seed.
+    // Each index of a seed has its own stream.
     constexpr random(std::uint64_t seed, std::uint64_t index) : state_(seed) {
         const std::uint64_t mixed = next();
         state_ = mixed ^ (index * 0xd1342543de82ef95U);
@@ -26,10 +26,10 @@ class random {
         return z ^ (z >> 31U);
     }
 
-    // 0 to n - 1, n > 0; uniform but for n/2^64.
+    // From 0 to n - 1, n > 0. Uniform to within n/2^64.
     constexpr std::uint64_t below(std::uint64_t n) { return next() % n; }
 
-    // low to high, both included.
+    // From low to high, both included.
     constexpr std::int64_t in(std::int64_t low, std::int64_t high) {
         return low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1));
     }

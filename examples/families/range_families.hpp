@@ -40,7 +40,7 @@ template <int N>
     return pair;
 }
 
-// Certainly a hit: the velocity points at the other ball to within less than the radii.
+// Certainly a hit: the velocity points at the other ball, with an error smaller than the radii.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> head_on(random& r) {
     integers<N> dx = random_vector<N>(r, 50);
@@ -55,7 +55,7 @@ template <int N>
 }
 
 // Masses from 2^-50 to 2^50, and at every fourth index an infinite one. The velocities after the collision lose the
-// small change of the heavy ball, and types without an infinity must take the inverses of masses.
+// small change of the heavy ball. A type without an infinity must take the inverses of masses.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> masses(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -104,8 +104,8 @@ template <int N>
     return balls<N>(r, m);
 }
 
-// Each coordinate, velocity component and radius with an exponent of its own, within 2^±200, at every fourth index
-// within 2^±1000 (where products overflow): the exact answer needs thousands of bits.
+// Each coordinate, velocity component and radius has its own exponent, within 2^±200 or, at every fourth index, within
+// 2^±1000 (where products overflow). The exact answer needs thousands of bits.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> own_exponents(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

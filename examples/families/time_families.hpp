@@ -1,4 +1,4 @@
-// Balls that certainly, or almost certainly, collide. The difficulty is the time.
+// Balls that certainly, or almost certainly, collide. What is hard is the time.
 #pragma once
 
 #include "passage.hpp"
@@ -6,8 +6,8 @@
 
 namespace families {
 
-// The velocities agree in their first k bits, k from 20 to 51, so that their difference has few bits left and the
-// collision is far off.
+// The velocities agree in their first k bits, k from 20 to 51. So their difference has few bits left, and the collision
+// is far off.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> almost_equal_velocities(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

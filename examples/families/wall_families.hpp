@@ -7,8 +7,8 @@
 
 namespace families {
 
-// A random wall, or at every fourth index a random plane, and a ball whose velocity is, at every other index, aimed at
-// a point of it. The only difficulty is the rounding.
+// A random wall or, at every fourth index, a random plane, and a ball. At every other index the ball's velocity is
+// aimed at a point of it. Only the rounding is hard.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> generic_wall(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -50,7 +50,7 @@ template <int N>
     const std::int64_t distance = p.distance << m.finer;
     m.radius = distance + r.either_sign(random_fraction(r, distance, k));
     m.radius -= m.radius >> 53 != 0 ? m.radius % 2 : 0;
-    const auto away = [&] { // from the path, more than sideways
+    const auto away = [&] { // a direction that leads away from the path more than sideways
         integers<N> factors{-r.in(32, 63)};
         for (std::size_t i = 1; i < N; ++i) {
             factors[i] = r.in(-31, 31);
@@ -128,7 +128,7 @@ template <int N>
     side[1] = across * length;
     if constexpr (N == 3) {
         speed[2] = r.in(-length / 16, length / 16);
-        from[2] = r.in(length * 6, length * 10); // from the wedge's lower end
+        from[2] = r.in(length * 6, length * 10); // measured from the wedge's lower end
         m.edge[1] = times<3>(16 * length, f.axis[2]);
     }
     m.w = combination<N>(f, from);

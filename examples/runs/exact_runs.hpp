@@ -17,15 +17,15 @@ struct finished_run {
     std::vector<graze::flight<N>> flights; // of the balls, by the scene's indices
 };
 
-// Keeps a run's clock between `by` and about twice that, so that its times are as fine at the end as they were then.
-// Looks at it after so many events. told: it has just been set back by `by`.
+// Keeps a run's clock between `by` and about twice that, so that times stay as fine as they are then. Checks the clock
+// every so many events. told: called after the clock was set back by `by`.
 struct clock_keeping {
     double by = std::numeric_limits<double>::infinity();
     std::uint64_t events = 1000;
     std::function<void()> told{};
 };
 
-// A whole run. The observer may be empty; false stops the run. The limits are in the clock of the start.
+// A whole run. The observer may be empty; if it returns false, the run stops. The limits are in the clock of the start.
 template <int N>
 [[nodiscard]] finished_run<N> run_exactly(const graze::scene<N>& scene, const graze::run_limits<double>& limits,
                                           const std::function<bool(const exact_event<N>&)>& observer = {},

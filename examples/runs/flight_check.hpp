@@ -1,4 +1,4 @@
-// Checks a run of balls in a box, independently of it: did a ball pass through another one, or bounce off nothing?
+// Checks a run of balls in a box independently of the run: did a ball pass through another, or bounce off nothing?
 #pragma once
 
 #include <graze/run/outcome.hpp>
@@ -8,14 +8,14 @@
 #include <stdexcept>
 #include <vector>
 
-// Every flight that ends is compared with all others for as long as both lasted, so every pair is checked at all times,
-// in plain doubles, at a cost of O(balls) for each event.
+// When a flight ends, it is compared with every other flight for the time that both lasted. So every pair is checked at
+// all times, in plain doubles, at a cost of O(balls) for each event.
 //
-// What rounding explains, for u = 2^-53, lengths below L and speeds below V, until time t: an event rounds its time,
-// which moves a ball by at most u V t, and each coordinate of its position, by at most u L. So two balls that leave a
-// contact are at most 2 (√N u L + u V t) deep in each other. An event with a third ball may carry each as far again,
-// and balls that approach after that are resolved at once: 4 √N u (L + V t) in all. The doubles of this check are wrong
-// by less than ten roundings of numbers below L + V t. 16 √N u (L + V t) covers both.
+// The depth that rounding explains, for u = 2^-53, lengths below L, speeds below V, and times until t: an event rounds
+// its time, which moves a ball by at most u V t, and each coordinate of its position, by at most u L. So two balls that
+// leave a contact overlap by at most 2 (√N u L + u V t). An event with a third ball may move each as far again, and
+// balls that approach after that are resolved at once: 4 √N u (L + V t) in all. The doubles of this check are off by
+// less than ten roundings of numbers below L + V t. 16 √N u (L + V t) covers both.
 template <int N>
 class flight_check {
   public:
@@ -26,7 +26,7 @@ class flight_check {
             energy_ += energy_of(b);
         }
         start_energy_ = energy_;
-        speed_ = std::sqrt(2 * energy_); // of one ball of mass 1 that has all of it
+        speed_ = std::sqrt(2 * energy_); // of one ball of mass 1 that has all of the energy
     }
 
     template <class Event>
@@ -52,10 +52,10 @@ class flight_check {
         return true;
     }
 
-    // Times are counted from `by` on from now on.
+    // From now on times count from `by`.
     void set_clock_back(double by) {
         for (auto& f : flights_) {
-            f.since -= by; // exactly, says the run
+            f.since -= by; // exact, as the run promises
         }
     }
 
@@ -92,7 +92,7 @@ class flight_check {
         return graze::dot(at(f, t) - p.point, p.normal) / std::sqrt(graze::squared_norm(p.normal));
     }
 
-    // The least distance of two flights while both lasted, until now.
+    // The least distance of two flights while both lasted, up to now.
     [[nodiscard]] static double least_distance(const flight& f, const flight& g, double now) {
         const double from = std::max(f.since, g.since);
         const auto dx = at(f, from) - at(g, from);
@@ -107,7 +107,7 @@ class flight_check {
                 require_depth(radius(i) + radius(j) - least_distance(flights_[i], flights_[j], now));
             }
         }
-        for (const auto& p : planes_) { // straight: deepest at an end
+        for (const auto& p : planes_) { // its way is straight, so it is deepest at an end
             require_depth(radius(i) - std::fabs(height(flights_[i], p, now)));
         }
     }
@@ -131,7 +131,7 @@ class flight_check {
     std::vector<graze::plane<N>> planes_;
     double length_ = 0, speed_ = 0;
     double energy_ = 0, start_energy_ = 0, rounded_energy_ = 0;
-    double latest_ = 0; // of all times, as the clock had it
+    double latest_ = 0; // the largest time so far, on the current clock
     double deepest_ = 0, depth_allowed_ = 0;
     std::uint64_t events_ = 0;
 };

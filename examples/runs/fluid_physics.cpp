@@ -1,5 +1,5 @@
-// Pressure and collision rate of hard-sphere fluids in a periodic cube, beside what is known of them. The virial gives
-// the one and the count of collisions the other: no formula of the library takes part in what they are compared with.
+// Pressure and collision rate of hard-sphere fluids in a periodic cube, beside the known values. The virial gives the
+// pressure, and the count of collisions gives the rate. The known values come from no formula of the library.
 #include "fluid_picture.hpp"
 
 #include <graze/run.hpp>
@@ -22,7 +22,7 @@ struct fluid {
     double length;
 };
 
-// 4 side³ balls of diameter and mass 1 on a face-centred lattice in a periodic cube, at rest as a whole.
+// 4 side³ balls of diameter and mass 1 on a face-centred lattice in a periodic cube. The total momentum is 0.
 fluid lattice(int side, double packing) {
     std::mt19937_64 random(1);
     fluid f;
@@ -61,8 +61,8 @@ with_error mean_of(const std::vector<double>& blocks) {
     return {sum / count, std::sqrt(squares / (count * (count - 1)))};
 }
 
-// After 100 events a ball. The virial: Z - 1 = Σ σ |Δp| / (3 N kT t). The total momentum is zero, which takes three of
-// the degrees of freedom: Σ m u² = 3 (N - 1) kT, hence the factor (N - 1)/N.
+// Measures after 100 events a ball. The virial gives Z - 1 = Σ σ |Δp| / (3 N kT t). The total momentum is 0, which
+// takes three degrees of freedom: Σ m u² = 3 (N - 1) kT, hence the factor (N - 1)/N.
 measured_fluid measure(double packing, int side, std::uint64_t events, int blocks) {
     const fluid f = lattice(side, packing);
     const auto count = static_cast<double>(f.balls.size());
@@ -90,7 +90,7 @@ measured_fluid measure(double packing, int side, std::uint64_t events, int block
 
 } // namespace
 
-// fluid_physics [events [side [picture]]]: 4 side³ balls.
+// fluid_physics [events [side [picture]]]: with 4 side³ balls.
 int main(int argc, char** argv) {
     const std::uint64_t events = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
     const int side = argc > 2 ? std::atoi(argv[2]) : 10;

@@ -1,4 +1,4 @@
-// What is known of the hard-sphere fluid, and a picture of what was measured beside it.
+// Known values of the hard-sphere fluid, and a picture of them with the measured values.
 #pragma once
 
 #include <cmath>
@@ -10,13 +10,13 @@
 struct with_error {
     double value, error;
 
-    // How far off a value is from another one, in per cent.
+    // The difference from `other`, in per cent of it.
     [[nodiscard]] with_error relative_to(double other) const {
         return {100 * (value / other - 1), 100 * error / other};
     }
 };
 
-// Z - 1, the excess pressure p/(ρkT) - 1; and the collisions of a ball per time, in units of √(kT/m)/σ.
+// The excess pressure Z - 1 = p/(ρkT) - 1, and a ball's rate of collisions in units of √(kT/m)/σ.
 struct measured_fluid {
     double packing;
     with_error excess, rate;
@@ -26,13 +26,13 @@ struct measured_fluid {
 [[nodiscard]] inline double carnahan_starling(double eta) {
     return (1 + eta + eta * eta - eta * eta * eta) / std::pow(1 - eta, 3) - 1;
 }
-// 4 ρ σ² χ √(π kT/m), ρ σ³ = 6 η/π, with the contact value χ that goes with that pressure.
+// 4 ρ σ² χ √(π kT/m), with ρ σ³ = 6 η/π and the contact value χ that follows from that pressure.
 [[nodiscard]] inline double enskog(double eta) {
     const double chi = (1 - eta / 2) / std::pow(1 - eta, 3);
     return 24 * eta * chi / std::sqrt(std::numbers::pi);
 }
 
-// Lines of what is known, dots of what was measured; below, by how many per cent these are off, with their errors.
+// Known values are lines, measured ones dots. Below: the differences in per cent, with their errors.
 [[nodiscard]] inline std::string picture_of(const std::vector<measured_fluid>& all) {
     constexpr double left = 60, width = 420, top = 30, middle = 330, bottom = 450, most = 0.5;
     const auto x = [&](double eta) { return left + width * eta / most; };

@@ -16,8 +16,8 @@ struct fluid {
     [[nodiscard]] graze::scene<N> scene() const { return {balls, planes, {}}; }
 };
 
-// Balls of diameter and mass 1 on a lattice of 5/4, with velocities below 1 along each axis, in a cube of whole cells
-// of it.
+// Balls of diameter and mass 1 on a lattice of spacing 5/4, with velocities below 1 along each axis, in a cube of whole
+// lattice cells.
 template <int N>
 [[nodiscard]] fluid<N> make_fluid(int count, std::uint64_t seed) {
     constexpr double cell = 1.25;

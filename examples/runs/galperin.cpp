@@ -11,7 +11,7 @@ std::uint64_t collisions(double mass_ratio) {
     const std::vector<graze::ball<2>> balls = {{{1, 0}, {0, 0}, 0.125, 1}, {{2, 0}, {-1, 0}, 0.125, mass_ratio}};
     const std::vector<graze::plane<2>> wall = {{{0, 0}, {1, 0}}};
     graze::run_limits<double> limits;
-    limits.jam = 10'000'000; // they meet nobody else
+    limits.jam = 10'000'000; // the two meet many times, and nothing else is there
     const auto finished = run_exactly<2>({balls, wall, {}}, limits);
     if (finished.outcome.why != graze::ending::exhausted) {
         throw std::runtime_error("the balls still meet");

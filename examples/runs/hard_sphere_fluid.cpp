@@ -1,5 +1,5 @@
-// A fluid of 500 hard spheres in a box, checked by code that is independent of the library; and the hash of its final
-// state, which is the same on every machine and for every order in which the balls are listed.
+// A fluid of 500 hard spheres in a box, checked by code that is independent of the library. The hash of its final state
+// is the same on every machine and for every order in which the balls are listed.
 #include "exact_runs.hpp"
 #include "flight_check.hpp"
 #include "fluid_scene.hpp"
@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     const graze::run_limits<double> limits{.events = events};
     const auto fluid = make_fluid<3>(500, 1);
 
-    // Times are kept below those in which a ball of mean speed crosses the box, and so as fine as positions.
+    // The clock stays below the time in which a ball of mean speed crosses the box: so times are as fine as positions.
     flight_check<3> check(fluid.scene(), 10);
     constexpr double window = 4;
     const auto finished = run_exactly<3>(fluid.scene(), limits, std::ref(check), graze::cells::where_useful,

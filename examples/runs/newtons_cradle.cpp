@@ -1,5 +1,5 @@
-// Newton's cradle: five equal balls that touch. A ball that comes in on one side sends one out on the other, through
-// one collision after the other, all at one instant.
+// Newton's cradle: five equal balls that touch. A ball that comes in on one side sends a ball out on the other, through
+// one collision after another, all at the same instant.
 #include "exact_runs.hpp"
 
 #include <iostream>
@@ -9,9 +9,9 @@ int main() {
     for (int i = 0; i < 5; ++i) {
         balls.push_back({{static_cast<double>(2 * i), 0}, {0, 0}, 1, 1});
     }
-    balls[0].position[0] = -4; // a gap of 4 to the row
+    balls[0].position[0] = -4; // a gap of 4 before the row
     balls[0].velocity[0] = 2;
-    balls[4].position[0] = 12; // and one on the other side
+    balls[4].position[0] = 12; // and another after it
     balls[4].velocity[0] = -2;
     const auto finished = run_exactly<2>({balls, {}, {}}, {}, [](const exact_event<2>& e) {
         std::cout << "t = " << static_cast<double>(e.when) << ": " << to_string(e.who)

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-// FNV-1a, 64 bits a step, over the bits of positions, velocities and times.
+// FNV-1a in steps of 64 bits, over the bits of positions, velocities and times.
 template <int N>
 [[nodiscard]] std::uint64_t hash_of(const std::vector<graze::flight<N>>& flights) {
     std::uint64_t hash = 0xcbf29ce484222325U;

@@ -1,4 +1,4 @@
-// Well-known billiards.
+// Well-known billiards, as scenes.
 #pragma once
 
 #include "scene_text.hpp"

@@ -57,9 +57,9 @@ std::string pool_break() {
     return scene.text();
 }
 
-// 5 · 5 · 5 face-centred cubic cells of balls of diameter 1 in a cubic box. A Maxwell distribution's components are
-// normally distributed; here each is a sum of 12 uniform numbers less its mean, of variance 1 (Irwin and Hall), which
-// has no tail beyond 6.
+// 5 · 5 · 5 face-centred cubic cells of balls of diameter 1 in a cubic box. In a Maxwell distribution components are
+// normally distributed. Here each is a sum of 12 uniform numbers less its mean, of variance 1 (Irwin and Hall), which
+// never exceeds 6.
 std::string hard_sphere_fluid() {
     constexpr std::int64_t unit = 100'000;                   // 10^-5
     constexpr std::int64_t volume = 872'664'625'997'164'788; // 500 · (π/6) / 0.3, in 10^-15
@@ -99,9 +99,9 @@ std::string hard_sphere_fluid() {
     return scene.text();
 }
 
-// Four beams of grains from each end of a corridor of 1 km, so narrow that any two grains that fly head-on pass each
-// other at up to four radii. At a distance of about 10^8 radii, it takes 8 digits of the velocity to tell a hit from a
-// miss.
+// Four beams of grains from each end of a corridor of 1 km. It is so narrow that any two grains that fly head-on pass
+// each other within four radii. At a distance of about 10^8 radii, telling a hit from a miss takes 8 digits of the
+// velocity.
 std::string long_corridor() {
     constexpr std::int64_t micrometre = 1'000'000; // in 10^-12 m
     constexpr std::int64_t metre = 1'000'000 * micrometre;
@@ -112,7 +112,7 @@ std::string long_corridor() {
                      "of 10^8 radii. SI units, all masses 1.");
     families::random random(8);
     for (int beam = 0; beam < 4; ++beam) {
-        // A beam's direction, in 10^-12 of 10 m/s, is such that a flight of 50 s stays inside the corridor.
+        // In 10^-12 of 10 m/s. The direction varies so little that a flight of 50 s stays inside the corridor.
         const components u{metre + random.signed_bits(29), random.signed_bits(29), random.signed_bits(29)};
         const components middle{500 * metre, random.in(metre * 3 / 5, metre * 7 / 5),
                                 random.in(metre * 3 / 5, metre * 7 / 5)};
@@ -136,8 +136,8 @@ std::string long_corridor() {
     return scene.text();
 }
 
-// A shot past a feature of the pocket: the centre passes the point at a distance of r(1 + ε), measured along `aside`
-// (of length 25), in the direction `along` (of length 25, perpendicular to it).
+// A shot past a feature of the pocket: the centre passes `point` at a distance of r(1 + ε), measured along `aside` (of
+// length 25), in the direction `along` (of length 25, perpendicular to it).
 struct shot {
     std::array<std::int64_t, 3> point, aside, along;
 };
