@@ -11,12 +11,12 @@
 namespace graze::proof {
 
 // numerator/denominator in lowest terms, denominator > 0. Exact. A number that needs more than 63 bits throws, and so
-// does not compile.
+// does not compile in a constant expression.
 class rational {
   public:
     constexpr rational(int value = 0) : numerator_(value) {}
     constexpr rational(std::int64_t numerator, std::int64_t denominator) : numerator_(numerator) {
-        if (denominator == 1) { // most are whole: compilers count every step
+        if (denominator == 1) { // most numbers are whole, and compilers count every step
             return;
         }
         if (denominator == 0) {
@@ -45,7 +45,7 @@ class rational {
     }
     [[nodiscard]] friend constexpr rational operator-(const rational& x, const rational& y) { return x + -y; }
     [[nodiscard]] friend constexpr rational operator*(const rational& x, const rational& y) {
-        const rational p(x.numerator_, y.denominator_); // each in lowest terms first
+        const rational p(x.numerator_, y.denominator_); // reduced before the product, so that it does not overflow
         const rational q(y.numerator_, x.denominator_);
         return {product(p.numerator_, q.numerator_), product(p.denominator_, q.denominator_)};
     }

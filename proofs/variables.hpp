@@ -1,4 +1,4 @@
-// The letters of the identities: vectors and numbers, each component a variable of its own.
+// The letters of the identities: vectors and numbers whose components are variables of their own.
 #pragma once
 
 #include <graze/analysis/rational_function.hpp>

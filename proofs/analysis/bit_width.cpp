@@ -1,4 +1,4 @@
-// For every formula of a decision, bit_width gives the bits that the types of integers deduce.
+// For every formula of a decision, bit_width says how many bits the integers' types have.
 #include <graze/exact/integer.hpp>
 #include <graze/formula/exact_in.hpp>
 #include <graze/formula/wall_features.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace graze;
 
-// Motions of inputs of L-bit lengths, V-bit velocities and E-bit normals, as integers and as widths.
+// Motions of inputs with L-bit lengths, V-bit velocities and E-bit normals: in integers, and in bit widths.
 template <int N, class X, class U>
 constexpr auto balls(const X& x, const U& u) {
     const auto vector = [](const auto& c) { return make_vec<N>([&](int) { return c; }); };
@@ -32,7 +32,7 @@ constexpr auto ball_and_wall(const X& x, const U& u) {
     return wall_motion_of(vector(x) - vector(x), vector(u), e, x);
 }
 
-// Only types matter: nothing is evaluated.
+// Only the types matter; nothing is evaluated.
 template <class F, class I, class W>
 constexpr bool same_bits(const I&, const W& widths) {
     using result = std::remove_cvref_t<decltype(F{}(std::declval<const I&>()))>;
@@ -92,13 +92,13 @@ static_assert(coefficient_c{}(balls<3>(bit_width::of(30), bit_width::of(30))).bi
 static_assert(halved_of_motion{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 4 * 30 + 10);
 static_assert(discriminant_lagrange{}(balls<3>(bit_width::of(30), bit_width::of(30))).bits == 4 * 30 + 9);
 
-// int32 coordinates: the width that classify uses for them.
+// The width that classify uses for int32 coordinates.
 static_assert(bits_to_decide<3, variant::halved>({31, 31}) == 134);
 
 // The widths are attained: -1 and 1 at the ends of a 1-bit range differ by 2, which takes two bits.
 static_assert((bit_width(1) - bit_width(-1)).bits == 2 && bit_width(0).bits == 0 && bit_width(-8).bits == 4);
 
-// What machine types hold.
+// What machine types can hold.
 static_assert(exact_bits<float>() == 24 && exact_bits<double>() == 53 && exact_bits<std::int32_t>() == 31 &&
               exact_bits<std::int64_t>() == 63 && exact_bits<integer<9>>() == std::numeric_limits<int>::max());
 static_assert(exact_in<double>(coefficient_h{}, balls<2>(bit_width::of(26), bit_width::of(24))) &&

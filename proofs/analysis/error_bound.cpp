@@ -16,7 +16,7 @@ constexpr auto exact_motion() {
                            bounded_vector<N>(error_bound::exact_input({0, 1, 0})), error_bound::exact_input({1, 0, 0})};
 }
 
-// N products of exact inputs: N roundings each.
+// A sum of N products of exact inputs: at most N roundings each.
 static_assert(coefficient_h{}(exact_motion<2>()).error >= 2 && coefficient_h{}(exact_motion<2>()).error < 2.0001);
 static_assert(coefficient_h{}(exact_motion<3>()).error >= 3 && coefficient_h{}(exact_motion<3>()).error < 3.0001);
 
@@ -24,7 +24,7 @@ static_assert(coefficient_h{}(exact_motion<3>()).error >= 3 && coefficient_h{}(e
 static_assert(discriminant_halved{}(quadratic_of(exact_motion<3>())).degree == error_bound::degrees{2, 2, 0});
 static_assert(discriminant_lagrange{}(exact_motion<3>()).degree == error_bound::degrees{2, 2, 0});
 
-// Lagrange's form is the tighter one, in the plane and in space.
+// Lagrange's form has the smaller bound, in the plane and in space.
 static_assert(discriminant_lagrange{}(exact_motion<2>()).error <
               discriminant_halved{}(quadratic_of(exact_motion<2>())).error);
 static_assert(discriminant_lagrange{}(exact_motion<3>()).error <
@@ -44,7 +44,7 @@ constexpr bool norm_by_components() {
 }
 static_assert(norm_by_components<2>() && norm_by_components<3>());
 
-// For types of other numbers of bits, the constant is the same up to terms of second order.
+// For types with other numbers of bits, the constant is the same up to terms of second order.
 template <int Digits>
 constexpr double in_bits() {
     using bound = basic_error_bound<Digits>;
@@ -57,7 +57,7 @@ static_assert(basic_error_bound<24>::unit == 0x1p-23 && basic_error_bound<336>::
 static_assert(in_bits<24>() > in_bits<53>() && in_bits<24>() < in_bits<53>() * (1 + 0x1p-18) &&
               in_bits<53>() >= in_bits<336>());
 
-// A sign is known when no error can change it.
+// A sign is certain if no error can change it.
 template <class B>
 constexpr int sign_of(double low, double high, double error) {
     return number_traits<B>::sign(B(low, high, error));

@@ -1,5 +1,5 @@
-// |computed - exact| <= K u M on chosen inputs, by the compiler's own arithmetic: floats against doubles, which are
-// exact for small integers; doubles against integers.
+// |computed - exact| <= K u M on chosen inputs, by the compiler's own arithmetic: floats are compared with doubles,
+// which are exact for small integers, and doubles with integers.
 #include <graze/analysis/error_bound.hpp>
 #include <graze/exact/integer.hpp>
 #include <graze/formula/discriminant.hpp>
@@ -66,14 +66,14 @@ static_assert(worst_in_float<halved>() > 0 && worst_in_float<halved>() < 1.01 * 
 static_assert(worst_in_float<discriminant_lagrange>() > 0 &&
               worst_in_float<discriminant_lagrange>() < 1.01 * constant<3, discriminant_lagrange>());
 
-// For balls that graze, are far or are small, Lagrange's form errs ten thousand times less than the halved one.
+// For balls that graze, are far apart or small, Lagrange's form errs ten thousand times less than the halved form.
 constexpr bool errs_far_less(const std::array<int, 7>& x) {
     return 10000 * error_in_float<discriminant_lagrange>(x) < error_in_float<halved>(x);
 }
 static_assert(errs_far_less(chosen[0]) && errs_far_less(chosen[1]) && errs_far_less(chosen[2]));
 
-// τ in float against τ in double, which errs 2^29 times less, for balls that meet with D >= 2^-10 a |Δx|². In units of
-// 2^-24 |Δx|/|Δu|, as the bound of staged.hpp.
+// τ in float against τ in double, which errs 2^29 times less, for balls that meet with D >= 2^-10 a |Δx|². The unit is
+// 2^-24 |Δx|/|Δu|, as in the bound of staged.hpp.
 template <class T>
 constexpr T time_of(const std::array<int, 7>& x) {
     const auto m = motion<T>(x);
@@ -102,7 +102,7 @@ constexpr bool time_is_within(const std::array<int, 7>& x) {
 static_assert(time_is_within(meeting[0]) && time_is_within(meeting[1]) && time_is_within(meeting[2]) &&
               time_is_within(meeting[3]) && time_is_within(meeting[4]));
 
-// staged.hpp assumes that an error of two balls is linear in R²: this is what error_bound says for each radius.
+// staged.hpp assumes that an error of two balls is linear in R²; error_bound confirms it for each radius.
 template <class F>
 constexpr bool is_linear_in_square_of_radius() {
     using bound = basic_error_bound<53>;
@@ -121,7 +121,7 @@ constexpr bool is_linear_in_square_of_radius() {
 static_assert(is_linear_in_square_of_radius<coefficient_c>() && is_linear_in_square_of_radius<coefficient_h>() &&
               is_linear_in_square_of_radius<discriminant_lagrange>() && is_linear_in_square_of_radius<halved>());
 
-// The crossing of a plane: whether the ball cuts it, and when it touches it, |u·n| >= 2^-6 |u||n|.
+// The crossing of a plane: whether the ball cuts it, and when it touches it, for |u·n| >= 2^-6 |u||n|.
 template <class T>
 constexpr plane_motion<3, T, T, T, T> crossing(const std::array<int, 10>& x) {
     return {{{T(x[0]), T(x[1]), T(x[2])}}, {{T(x[3]), T(x[4]), T(x[5])}}, {{T(x[6]), T(x[7]), T(x[8])}}, T(x[9])};
@@ -157,7 +157,7 @@ constexpr bool crossing_is_within(const std::array<int, 10>& x) {
 }
 static_assert(crossing_is_within(crossings[0]) && crossing_is_within(crossings[1]) && crossing_is_within(crossings[2]));
 
-// For 30-bit integers in doubles: |computed - exact| 2^53 <= K length² velocity², all as integers.
+// 30-bit integers in doubles: |computed - exact| 2^53 <= K length² velocity², all as integers.
 template <class F>
 constexpr bool double_is_within(const std::array<int, 7>& x) {
     const auto m = motion<integer<32>>(x);

@@ -1,4 +1,4 @@
-// Roundings counted at compile time, and the size of terms.
+// Roundings, counted at compile time, and the sizes of terms.
 #include <graze/analysis/rounding_count.hpp>
 #include <graze/formula/discriminant.hpp>
 
@@ -28,7 +28,7 @@ static_assert(exact.bound(0x1p-52) == 0);
 static_assert(rounded.bound(0x1p-52) > 0x1p-52 && rounded.bound(0x1p-52) < 0x1.001p-52);
 static_assert((exact * exact + exact).bound(0x1p-52) > 0x1p-51);
 
-// 3·4 - 2·(-5), all terms by their magnitudes; the signs don't matter.
+// 3·4 - 2·(-5) with all terms taken by magnitude: the signs do not matter.
 static_assert((term_size(3) * term_size(-4) - term_size(2.0) * term_size(-5.0)).value == 22);
 static_assert((-term_size(-3)).value == 3);
 

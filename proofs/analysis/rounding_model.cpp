@@ -1,6 +1,6 @@
-// Each operation of error_bound and of range_bound against the worst possible result: computed operands at the ends of
-// their ranges, exact operands as far from them as allowed, the result rounded to either side. The types have so few
-// bits that all of this is exact in doubles, terms of second order included.
+// Compares each operation of error_bound and range_bound with the worst possible result: computed operands at the ends
+// of their ranges, exact operands as far from them as allowed, the result rounded to either side. The types have so few
+// bits that all of this is exact in doubles, including terms of second order.
 #include <graze/analysis/error_bound.hpp>
 #include <graze/analysis/polynomial.hpp>
 #include <graze/analysis/range_bound.hpp>
@@ -15,7 +15,7 @@ using namespace graze;
 
 constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 constexpr double larger(double x, double y) { return x > y ? x : y; }
-constexpr double noise = 1 + 0x1p-40; // of quotients and roots, which are not exact here
+constexpr double noise = 1 + 0x1p-40; // allows for the rounding of quotients and roots, which are not exact here
 // Whether `bound` holds for `worst`, the largest possible value, and exceeds it by no more than a factor.
 constexpr bool bounds_closely(double bound, double worst, double factor) {
     return bound * noise >= worst && bound <= worst * factor * noise;
@@ -37,8 +37,8 @@ struct worst_case {
     template <class Op>
     constexpr worst_case(const std::array<bound, 3>& in, int roundings, Op op) {
         const double u = bound::unit;
-        // The signs of all operands but the first (changing all three changes only the result's sign), of each error
-        // and of the rounding.
+        // All signs: of the operands except the first (changing all three changes only the result's sign), of each
+        // error and of the rounding.
         for (int choice = 0; choice < 128; choice += 2) {
             const auto sign = [&](int bit) { return (choice >> bit & 1) != 0 ? -1.0 : 1.0; };
             double computed[3], exact[3];
@@ -54,7 +54,7 @@ struct worst_case {
             of_magnitude = larger(of_magnitude, magnitude(result));
         }
     }
-    // n roundings are counted as n/(1 - n u).
+    // n roundings count as n/(1 - n u).
     constexpr bool is_bounded_by(const bound& b, int roundings) const {
         const double factor = 1 / (1 - roundings * bound::unit);
         return bounds_closely(b.error, of_error, factor) && bounds_closely(b.magnitude, of_magnitude, factor);
@@ -134,7 +134,7 @@ constexpr bool all_error_bounds() {
 }
 static_assert(all_error_bounds<5>(), "in which terms of second order count");
 static_assert(all_error_bounds<11>(), "in which a bound has little to spare");
-// For more roundings than these formulas have: (17/16)^8 - 1 in units of 1/16.
+// More roundings than these formulas have: (17/16)^8 - 1 in units of 1/16.
 constexpr double eighth_power = 17. * 17 * 17 * 17 * 17 * 17 * 17 * 17 / 0x1p32;
 static_assert(bounds_closely(detail::rounded<5>(1, 0, 1, 8, of_x).error, (eighth_power - 1) * 16, 2));
 

@@ -1,4 +1,4 @@
-// The constants of the quantities, as the compiler derives them.
+// The constants of the quantities' bounds, as the compiler derives them.
 #pragma once
 
 #include "quantities.hpp"
@@ -8,7 +8,7 @@
 
 namespace bounds {
 
-// K against norms, as the filters use it: |computed - exact| <= K u length^i velocity^j normal^k.
+// K relative to norms, as the filters use it: |computed - exact| <= K u length^i velocity^j normal^k.
 template <class Q, int N, int Digits>
 inline constexpr double constant = [] {
     if constexpr (requires { Q::template compiled<N, Digits>(); }) {
@@ -23,8 +23,8 @@ inline constexpr double constant = [] {
     }
 }();
 
-// The largest quotient of a norm and the largest component m: √N, since N m² - |x|² = Σ (m - x_i)(m + x_i). K times
-// this, to each positive power, is the constant against components. For R, which is no vector, it is K.
+// The largest quotient of a norm and the largest component m is √N, since N m² - |x|² = Σ (m - x_i)(m + x_i). K times
+// this, to each positive power, is the constant relative to components. For R, which is no vector, it is K.
 template <class Q, int N>
 inline constexpr double norm_factor = [] {
     if constexpr (requires { Q::has_vectors; }) {
@@ -43,7 +43,7 @@ inline constexpr double norm_factor = [] {
 template <class Q, int N, int Digits>
 inline constexpr double compiled = constant<Q, N, Digits>* norm_factor<Q, N>;
 
-// How many numbers rounded_source and exact_source take.
+// Counts the numbers that rounded_source and exact_source take.
 struct counting_source {
     using number = graze::basic_error_bound<53>;
     std::size_t count = 0;

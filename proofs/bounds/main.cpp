@@ -55,7 +55,7 @@ std::string script() {
     }
 }
 
-// The factor from Gappa's bound to the table. A time's script is about norms, since the bounds of c, h and D are.
+// The factor from Gappa's bound to the table's. A time's script is about norms, since the bounds of c, h and D are.
 template <class Q, int N>
 constexpr double gappa_factor = [] {
     if constexpr (requires { Q::template compiled<N, 53>(); }) {
@@ -65,8 +65,8 @@ constexpr double gappa_factor = [] {
     }
 }();
 
-// The largest quotient of the compiler's bound and Gappa's. Norms tell less than components. In two steps both start
-// from the same bounds.
+// The largest allowed quotient of the compiler's bound and Gappa's. Norms say less than components. In two steps both
+// start from the same bounds.
 template <class Q, int N>
 constexpr double apart = [] {
     if constexpr (requires { Q::template compiled<N, 53>(); }) {
@@ -78,12 +78,12 @@ constexpr double apart = [] {
 
 struct row {
     std::string name;
-    std::string step; // the last one, by which it is made of its parts
+    std::string step; // its last step: how it is made of its parts
     int dimensions;
     std::vector<std::string> parts;
-    double at_most;                // the compiler's bound, in Gappa's
-    double constant;               // against norms, in double
-    double compiler, gappa, found; // against components, in double
+    double at_most;                // for compiler / gappa
+    double constant;               // relative to norms, in double
+    double compiler, gappa, found; // relative to components, in double
     double compiler_float, gappa_float, found_float;
 
     [[nodiscard]] double slack() const { return std::max(compiler / found, compiler_float / found_float); }
@@ -162,7 +162,7 @@ std::vector<row> rows(const std::string& directory, const std::string& gappa, in
     return all_rows;
 }
 
-// The step on the way to r at which bound and found error diverge most.
+// Of the steps to r, the one at which the bound and the error found diverge most.
 std::pair<double, std::string> loss(const std::vector<row>& all_rows, const row& r) {
     double before = 1;
     std::pair<double, std::string> worst{0, ""};

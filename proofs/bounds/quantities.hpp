@@ -1,5 +1,5 @@
-// The quantities whose rounding errors are bounded. Each is the library's own formula, with the domain on which it is
-// bounded and the quantities that it is computed from.
+// The quantities whose rounding errors are bounded: each has the library's own formula, the domain on which it is
+// bounded, and the quantities that it is computed from.
 #pragma once
 
 #include "sources.hpp"
@@ -83,7 +83,7 @@ struct textbook_of_motion {
         return graze::discriminant_textbook{}(graze::quadratic_of(m));
     }
 };
-struct kahan_of_motion { // its exact value is D, in a type without fused multiply-adds too
+struct kahan_of_motion { // its exact value is D, even in a type without fused multiply-adds
     template <class M>
     [[nodiscard]] constexpr auto operator()(const M& m) const {
         const auto q = graze::quadratic_of(m);

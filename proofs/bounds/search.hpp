@@ -19,8 +19,8 @@ inline mpf_class value_of(const graze::sqrt_extension<graze::gmp_rational>& x) {
     return value_of(x.p()) + value_of(x.q()) * sqrt(value_of(x.d()));
 }
 
-// A separate function with a side effect, so that no compiler moves its arithmetic to a place with another rounding
-// mode.
+// A separate function with a side effect, so that no compiler moves its arithmetic to where another rounding mode is
+// set.
 template <class Q, int N, class T>
 [[gnu::noinline]] T computed(rounded_source<T>& s) {
     return Q::template run<N>(s);
@@ -69,7 +69,7 @@ template <class T>
         return r.one_in(2) ? x / 2 : (std::fabs(x) < T(1) ? x * 2 : x);
     case 2:
         return -x;
-    default: { // by a little, down to the last bit
+    default: { // a small change, down to the last bit
         const int bits = static_cast<int>(r.below(static_cast<std::uint64_t>(std::numeric_limits<T>::digits)));
         const T step = std::ldexp(x, -bits - 1);
         return r.one_in(2) ? x + step : x - step;

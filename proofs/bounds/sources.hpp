@@ -1,4 +1,4 @@
-// The sources of the quantities in each of the number types: inputs, and hypotheses about values.
+// The sources of the quantities in each number type: inputs, and hypotheses about values.
 #pragma once
 
 #include <graze/analysis/error_bound.hpp>
@@ -33,7 +33,7 @@ using degrees = std::array<int, 3>;
 //   require(f)          the hypothesis that f(), about values, is true
 // and `number`, its type.
 
-// For the compiler's bound, as for the filters: against norms, with the radius as one of the lengths.
+// For the compiler's bound, as in the filters: relative to norms, with the radius as one of the lengths.
 template <int Digits>
 struct compiled_source {
     using number = graze::basic_error_bound<Digits>;
@@ -61,8 +61,8 @@ class gappa_source {
     std::array<int, 3> count_{};
 };
 
-// For the search, on numbers: two for a difference, one for an input. In T, as a program computes it, with the scales
-// of its inputs.
+// For the search, on numbers: a difference takes two, an input one. In T, as a program computes it, with the scales of
+// its inputs.
 template <class T>
 class rounded_source {
   public:
@@ -92,7 +92,7 @@ class rounded_source {
             return std::max(std::sqrt(sum), *std::max_element(x.begin() + static_cast<long>(dimensions) - 1, x.end()));
         });
     }
-    // Whether all inputs of a kind are 0: they have no scale.
+    // Whether all inputs of some kind are 0, so that they have no scale.
     [[nodiscard]] bool degenerate() const {
         const auto s = scales();
         return std::any_of(s.begin(), s.end(), [](double x) { return x == 0; });
@@ -106,7 +106,7 @@ class rounded_source {
         return x;
     }
     template <class F>
-    [[nodiscard]] std::array<double, 3> each_kind(F f) const { // 1 where there is none of the kind
+    [[nodiscard]] std::array<double, 3> each_kind(F f) const { // 1 for a kind without inputs
         std::array<double, 3> r{};
         for (std::size_t i = 0; i < r.size(); ++i) {
             r[i] = magnitudes_[i].empty() ? 1 : f(magnitudes_[i]);

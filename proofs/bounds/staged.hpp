@@ -66,8 +66,8 @@ struct square_of_normal {
     }
 };
 
-// The domain is divided: D at 2^(1-k), since the least D is the worst; and g = -h, g >= √D, into this many pieces for
-// each factor of √2. Gappa's pieces are smaller.
+// How finely the domain is divided. D is at 2^(1-k), since the least D is the worst. g = -h, g >= √D, is divided into
+// this many pieces for each factor of √2. Gappa's pieces are smaller.
 inline constexpr int pieces_of_compiler = 3;
 inline constexpr int pieces_of_gappa = 4;
 [[nodiscard]] constexpr double ratio_of(int pieces) { return pieces == 3 ? 1.122462 : 1.0905077; }

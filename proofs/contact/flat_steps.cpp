@@ -1,5 +1,5 @@
-// What time/flat_steps.hpp loses of sums and products: the same formulas in word_rounding, whose steps are its steps,
-// stay below the part that it takes, 2^-97 of the sizes of what is added up, of a face 2^-98.
+// What time/flat_steps.hpp loses in sums and products. The same formulas in word_rounding, whose steps are its steps,
+// lose less than the part that it allows: 2^-97 of the sizes of what is added up, for a face 2^-98.
 #include <graze/analysis/word_rounding.hpp>
 #include <graze/linear/vec.hpp>
 
@@ -14,7 +14,7 @@ template <int N>
 constexpr vec<N, word> vector(const word& x) {
     return make_vec<N>([&](int) { return x; });
 }
-// x - q for a corner q that is up to two edges from the wall's, and moved by u t.
+// x - q for a corner q, which is up to two edges from the wall's corner, moved by u t.
 template <int N>
 constexpr vec<N, word> moved() {
     auto y = vector<N>(word::exact_input());
@@ -23,7 +23,7 @@ constexpr vec<N, word> moved() {
     }
     return y + vector<N>(word::exact_double() * word::exact_double());
 }
-// The edges' product, and the edge that is a difference.
+// The product of the edges, and the edge that is a difference.
 constexpr vec<3, word> normal() { return cross(vector<3>(word::exact_double()), vector<3>(word::exact_double())); }
 constexpr vec<3, word> edge() { return vector<3>(word::exact_input()); }
 

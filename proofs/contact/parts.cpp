@@ -1,5 +1,5 @@
-// The constants of the fast path of contacts: the losses of its steps, derived from the steps themselves, are no more
-// than time/newton_approach.hpp and contact/lane_steps.hpp say. Their notation is used, with u = 2^-53.
+// The constants of the contacts' fast path: the losses of its steps, derived from the steps themselves, do not exceed
+// what time/newton_approach.hpp and contact/lane_steps.hpp say. The notation is theirs, with u = 2^-53.
 //
 // Bounds are homogeneous in the sizes of the inputs, so each size is set to 1 in turn. What a step omits, a product of
 // two low parts, is added to what it rounds.
@@ -25,7 +25,7 @@ constexpr auto factor_of(const bounds& x) { return detail::as_factor<true>(x); }
 constexpr auto factor_of(const one& x) { return detail::as_factor<true>(x); }
 
 constexpr bool is_within(double derived, double stated) { return derived * error_bound_slack <= stated; }
-// No stated constant is a loose guess: the derived one is at least half of it.
+// No stated constant is loose: the derived one is at least half of it.
 constexpr bool is_tight(double derived, double stated) { return is_within(derived, stated) && 2 * derived >= stated; }
 
 // y = Δx + Δu t0, m = |Δx| + |Δu| t0.

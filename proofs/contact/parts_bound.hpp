@@ -5,10 +5,10 @@
 
 namespace graze {
 
-// A double in such a step: |x̂| <= size and |x̂ - x| <= error, where x is the result if the step rounds nowhere except in
-// the values of its error-free transforms. A transform is exact, value + error = x̂ ∘ ŷ: its value counts as exact, and
-// its error inherits the errors of x̂ and ŷ. Every other operation obeys |fl(z) - z| <= u|z| with u = 2^-53 (to
-// nearest); the counts are the same if it is fused or reordered. The caller excludes under- and overflow. The bounds
+// A double in such a step: |x̂| <= size and |x̂ - x| <= error, where x is the result if the step rounds nowhere except
+// in the values of its error-free transforms. A transform is exact, value + error = x̂ ∘ ŷ: its value counts as exact,
+// and its error inherits the errors of x̂ and ŷ. Every other operation obeys |fl(z) - z| <= u|z| with u = 2^-53 (to
+// nearest); the counts hold if it is fused or reordered. The caller excludes underflow and overflow. The bounds
 // themselves are computed in doubles: allow for error_bound_slack.
 //
 // What a step omits on purpose, mostly a product of two low parts, is not a rounding: a proof adds it.
@@ -45,7 +45,7 @@ struct parts_bound {
     }
 };
 
-// Two of them side by side, as lanes are.
+// Two of them side by side, like two lanes.
 struct parts_bounds {
     parts_bound lane[2];
 

@@ -1,5 +1,5 @@
-// What the steps of the fast path of contacts omit, apart from roundings. They run in polynomials in which an
-// error-free transform may round its value in any way. There each is its equation less a product of two low parts.
+// What the steps of the contacts' fast path omit, apart from roundings. They run in polynomials, in which an error-free
+// transform may round its value in any way. There each step is its equation, less a product of two low parts.
 #include <graze/analysis/polynomial.hpp>
 #include <graze/contact/lane_steps.hpp>
 
@@ -19,7 +19,7 @@ struct symbol {
     [[nodiscard]] friend constexpr symbol operator+(const symbol& x, const symbol& y) { return x.p + y.p; }
     [[nodiscard]] friend constexpr symbol operator-(const symbol& x, const symbol& y) { return x.p - y.p; }
     [[nodiscard]] friend constexpr symbol operator*(const symbol& x, const symbol& y) { return x.p * y.p; }
-    // A rounded quotient may be anything.
+    // A rounded quotient may be anything, so it is a variable of its own.
     [[nodiscard]] friend constexpr symbol operator/(int, const symbol&) { return terms::variable(14); }
 };
 struct symbols {

@@ -54,7 +54,7 @@ constexpr bool speed_of_approach() {
 static_assert(unit_normal<2>() && unit_normal<3>());
 static_assert(speed_of_approach<2>() && speed_of_approach<3>());
 
-// By its parts across Δu and along it the difference at τ is the same, with τ = (-h - √D)/a.
+// The difference at τ, computed from its parts across Δu and along it, is the same as with τ = (-h - √D)/a.
 template <int N>
 constexpr bool same_by_parts() {
     const impact<N> i;

@@ -29,7 +29,7 @@ static_assert(of(-1, 0, -1) == encounter::miss && of(-1, 1, -1) == encounter::mi
 static_assert(of(-1, 0, 0) == encounter::graze && of(-1, 1, 0) == encounter::graze);
 static_assert(of(-1, 0, 1) == encounter::hit && of(-1, 1, 1) == encounter::hit);
 
-// A sign is not asked for when the ones before it tell: no constant expression throws.
+// A sign is not asked for if the signs before it decide: otherwise these constant expressions would throw.
 constexpr auto unasked = []() -> int { throw 0; };
 static_assert(encounter_of([] { return 1; }, unasked, unasked) == encounter::recede);
 static_assert(encounter_of([] { return -1; }, [] { return -1; }, unasked) == encounter::overlap);

@@ -13,7 +13,7 @@ namespace {
 using namespace graze;
 using number = integer<40>;
 
-// Two balls in a line.
+// Two balls on a line.
 constexpr ball<2> a{{0, 0}, {1, 0}, 1, 1};
 constexpr ball<2> b{{10, 0}, {-1, 0}, 1, 1};
 constexpr auto s = solve(a, b);

@@ -1,7 +1,7 @@
-// The numbers of a line of sight against the definitions of wall_features.hpp: inner products and three determinants
-// give the same feet, coefficients, discriminants and values at the root. The identities are tried at whole points
-// whose values doubles hold exactly: of polynomials of degree up to 10 in 13 letters that differ, one value in some
-// would do.
+// The numbers of a line of sight, compared with the definitions of wall_features.hpp: inner products and three
+// determinants give the same feet, coefficients, discriminants and values at the root. The identities are tried at
+// points with whole coordinates, whose values doubles hold exactly. Two different polynomials of degree up to 10 in 13
+// letters would differ at some of them.
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/flat_edge.hpp>
 
@@ -76,8 +76,8 @@ constexpr bool has_sides(const flat_motion<3, double>& f) {
            dot(side[1], f.e[1]) == squared_norm(n);
 }
 
-// The border's line as an edge of wall_features sees it; a view may turn n, and with it the speed and `inside`. A value
-// x + v t at the smaller root is (a x - h v - v√D)/a.
+// The border's line compared with an edge of wall_features. A view may turn n, and with it the speed and `inside`. A
+// value x + v t at the smaller root is (a x - h v - v√D)/a.
 constexpr bool agrees(const flat_edge<3, double>& x, const auto& view) {
     const auto at = [&](double value, double speed) { return edge_a{}(view)*value - edge_h{}(view)*speed; };
     using at_start = value_at_root<edge_a, edge_h, edge_foot<0>, edge_foot_speed>;
@@ -105,8 +105,8 @@ constexpr bool sees_edges(const flat_motion<3, double>& f) {
     }
     return true;
 }
-// A triangle's third border as the edge λ_0 = 0 of the wall that is drawn from its end, with edges to the corner and to
-// the border's other end: its first side is e₀ then, and the ball's way is seen from there.
+// A triangle's third border as the edge λ_0 = 0 of the wall drawn from its end, whose edges lead to the corner and to
+// the border's other end. Its first side is then e₀, and the ball's way is seen from there.
 constexpr bool sees_third_border(const flat_motion<3, double>& f) {
     const auto way = way_of(f);
     const vec<3, double> d = f.e[1] - f.e[0];

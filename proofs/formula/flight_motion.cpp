@@ -1,5 +1,5 @@
-// The motion of two flights, and the parabola with times that count from another instant, as identities; and which of
-// two flights is moved on, in rationals.
+// As identities: the motion of two flights, and the parabola with times that count from another instant. In rationals:
+// which of two flights is moved on.
 #include <graze/formula/contact.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/flight_motion.hpp>
@@ -62,7 +62,7 @@ constexpr auto reverse = relative_motion_of(late, early);
 static_assert(forth.dx == vec<2, rational>{{rational(1 + 6 - 9), rational(2 - 2 - 0)}});
 static_assert(reverse.dx == -forth.dx && reverse.du == -forth.du && reverse.R == forth.R);
 static_assert(forth.du == vec<2, rational>{{5, -6}} && forth.R == rational(3));
-// Also by a lead of less than one. With equal epochs, flights are their balls.
+// Even by a lead below 1. Flights with equal epochs are their balls.
 constexpr flight<2, rational> barely{early.state, rational(9, 4)};
 static_assert(relative_motion_of(barely, late).dx == vec<2, rational>{{rational(-29, 4), rational(7, 4)}});
 constexpr flight<2, rational> together{late.state, early.since};

@@ -80,7 +80,7 @@ constexpr bool completed() {
     return i.v_a == i.u_a - (m_b * along) * i.n && i.v_b == i.u_b + (m_a * along) * i.n;
 }
 
-// The direction of the normal does not matter. An infinite mass is not moved; to the other ball it is a wall.
+// The normal's direction does not matter. An infinite mass does not move; to the other ball it is a wall.
 template <int N>
 constexpr bool senses_and_walls() {
     const impact<N> i;

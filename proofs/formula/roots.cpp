@@ -24,12 +24,12 @@ constexpr function tau() { return root_stable{}(c(), h(), S()); }
 static_assert(discriminant_halved{}(q()) == S() * S());
 static_assert(discriminant_textbook{}(q()) == twice(S()) * twice(S()));
 
-// τ solves (10), in both forms, from D as from 4D.
+// τ solves (10) in both forms, computed from D or from 4D.
 static_assert(value(tau()) == zero());
 static_assert(root_printed{}(a(), twice(h()), twice(S())) == tau());
 static_assert(root_stable{}(twice(c()), twice(h()), twice(S())) == tau());
 
-// It is the smaller root: the two add up to -2h/a, and the other one is later by 2√D/a.
+// It is the smaller root: the two roots add up to -2h/a, and the other root is later by 2√D/a.
 static_assert([] {
     const function other = -twice(h()) / a() - tau();
     return value(other) == zero() && other - tau() == twice(S()) / a() && other * tau() == c() / a();

@@ -1,6 +1,6 @@
-// A wall whose edges are not at right angles, in whole numbers: the closest feature, against the distances to all
-// corners and sides; and the encounter of a ball that flies perpendicularly to the wall's plane, and so stays beside
-// one point of the wall, by its distance from that point.
+// A wall whose edges are not at right angles, in whole numbers. The closest feature is compared with the distances to
+// all corners and sides. For a ball that flies perpendicularly to the wall's plane, and so stays beside one point of
+// the wall, the encounter is compared with its distance from that point.
 #include <graze/formula/solve_flat.hpp>
 
 #include "../whole.hpp"
@@ -33,7 +33,7 @@ struct closest {
     feature where;
     int index;
 };
-// Borders belong to the larger feature: a point beside the end of a side is beside the side.
+// Borders belong to the larger feature: a point beside the end of a side counts as beside the side.
 constexpr closest closest_to(const parallelogram& w, point p) {
     const int area = outer(w.e[0], w.e[1]);
     const int along0 = outer(p - w.corner, w.e[1]) * (area < 0 ? -1 : 1); // λ_0 |area|

@@ -12,7 +12,7 @@ using namespace graze;
 using proof::rational;
 using surd = sqrt_extension<rational>;
 
-// The root of what is less than 0 only by a rounding counts as 0.
+// A discriminant that only a rounding makes negative has the root 0.
 static_assert([] {
     const flat_motion<2, double> m{{{0, 1}}, {{1, 0}}, {{{{0, 1}}}}, 1, false};
     const detail::direct_judge<variant::lagrange, 2, double> judge(m);

@@ -1,6 +1,6 @@
-// flat_decision in whole numbers: over grids of starts and velocities, encounter and feature must be those that follow
-// from the distance, whose square is a piecewise quadratic, convex function of time. The oracle takes thousands of
-// signs for each case, none by a formula of the library.
+// flat_decision in whole numbers. Over grids of starts and velocities, encounter and feature must follow from the
+// distance, whose square is a piecewise quadratic, convex function of time. The oracle takes thousands of signs for
+// each case, none of them by a formula of the library.
 #include <graze/formula/solve_flat.hpp>
 
 #include "../whole.hpp"
@@ -30,7 +30,7 @@ template <int N>
 struct flight {
     const thrown& b;
 
-    // d times the coordinate at n/d; how far that is beside the wall; on which side, -1, 0 or 1.
+    // d times the coordinate at n/d; how far that is beside the wall; on which side: -1, 0 or 1.
     constexpr int64 at(int i, fraction t) const {
         const auto k = static_cast<std::size_t>(i);
         return b.x[k] * t.d + b.u[k] * t.n;
@@ -67,7 +67,7 @@ struct flight {
     }
 };
 
-// The times at which a coordinate passes the end of the wall, in order, with 0 before and a late one after.
+// The times at which a coordinate passes an end of the wall, in order, between 0 and a late time.
 template <int N>
 struct passages {
     std::array<fraction, 2 * N> time{};
@@ -96,7 +96,7 @@ struct passages {
 
 struct expected {
     encounter what;
-    feature where; // of what is now, or of a hit
+    feature where; // the feature at the start, or of a hit
 };
 
 template <int N>

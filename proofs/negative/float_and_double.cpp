@@ -1,4 +1,4 @@
-// One error for each call, not a list of candidates.
+// A float beside a double: one error for each call, not a list of candidates.
 // expect: both arguments need the same number type and dimension
 // errors: 4
 #include <graze/graze.hpp>

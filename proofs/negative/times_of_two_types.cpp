@@ -1,4 +1,4 @@
-// The times of a pair in the plane and of one in space are two types.
+// Times of a pair in the plane and of a pair in space have different types, which do not compare.
 // expect: (no match for|invalid operands).*<
 #include <graze/time/impact_time.hpp>
 

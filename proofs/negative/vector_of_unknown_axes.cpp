@@ -1,4 +1,4 @@
-// A shape of the user's, whose vectors have axes of other names: it says what to specialise.
+// A user's shape whose vectors name their axes differently: the error says what to specialise.
 // expect: specialise graze::vector_access
 #include <graze/shape/shape_access.hpp>
 

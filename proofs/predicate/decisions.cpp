@@ -1,4 +1,4 @@
-// Decisions and times as constants: every encounter, exact ties, and inputs one unit in the last place beside them.
+// Decisions and times as constants: every encounter, exact ties, and inputs one unit in the last place away from them.
 #include <graze/graze.hpp>
 
 #include <cstdint>

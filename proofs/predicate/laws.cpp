@@ -1,5 +1,5 @@
-// The laws of the decisions, on hard cases: exact tangents, one unit in the last place beside, borders of walls. The
-// same numbers stand in tests/predicate/laws.hpp, which tries them on random pairs of every hard family.
+// The laws of the decisions on hard cases: exact tangents, one unit in the last place away from them, borders of walls.
+// tests/predicate/laws.hpp has the same numbers and tries the laws on random pairs of every hard family.
 #include <graze/graze.hpp>
 
 #include <utility>
@@ -27,9 +27,9 @@ constexpr bool same(const A& a, const B& b, const A& c, const B& d) {
 }
 
 // The hard cases: a ball that flies along (5, -12)/13 at a distance of 13, also with a radius one unit in the last
-// place more or less; a wall's rim, touched by (3, 4, 5), and one unit beside; an oblique plane. A law is a function
-// that says whether it holds for a pair. Each case is a constant expression of its own, since compilers limit their
-// steps.
+// place more or less; a wall's rim, touched by (3, 4, 5), and one unit away from that; an oblique plane. A law is a
+// function that says whether it holds for a pair. Each case is a constant expression of its own, since compilers limit
+// the steps of one.
 constexpr ball<2> still{{0, 0}, {0, 0}, 6};
 constexpr ball<2> passing(double radius) { return {{2, 29}, {5, -12}, radius}; }
 static_assert(classify(passing(7), still) == encounter::graze);
@@ -99,8 +99,8 @@ struct axes {
 };
 static_assert(of_all<axes>);
 
-// 2. The same things may be written otherwise: balls exchanged, a plane's normal reversed, a wall's edges exchanged or
-// drawn from the other end.
+// 2. The same things may be written differently: balls exchanged, a plane's normal reversed, a wall's edges exchanged
+// or drawn from the other end.
 struct presentation {
     constexpr bool operator()(const ball<2>& a, const ball<2>& b) const { return same(a, b, b, a); }
     constexpr bool operator()(const ball<3>& b, plane<3> p) const {
@@ -175,7 +175,7 @@ static_assert(three[0] < three[1] && !(three[0] == three[1]) && !(three[0] > thr
 static_assert(three[1] > three[0] && !(three[1] < three[0]));
 static_assert(three[2] < three[0] && three[2] < three[1], "transitive");
 static_assert(three[2] == three[2] && !(three[2] < three[2]));
-// For any velocities: a ball that is eight times slower, with an eighth of the distance.
+// Velocities do not matter: a ball that is eight times slower, at an eighth of the distance.
 constexpr auto slow = *time_of_impact(ball<2>{{0, 0}, {0.125, 0}, 1}, ball<2>{{2.25, 0}, {0, 0}, 1});
 constexpr auto fast = *time_of_impact(runner, ball<2>{{4, 0}, {0, 0}, 1});
 static_assert(slow == fast && slow == three[1] && three[0] < slow && slow > three[2]);

@@ -1,5 +1,6 @@
-// Triangles in whole numbers: the closest feature, against the distances to all corners and sides; the encounter of a
-// ball that flies perpendicularly to the triangle's plane, by its distance from the one point that it stays beside.
+// Triangles in whole numbers. The closest feature is compared with the distances to all corners and sides. For a ball
+// that flies perpendicularly to the plane, the encounter is compared with its distance from the point that it stays
+// beside.
 #include <graze/classify.hpp>
 #include <graze/formula/solve_flat.hpp>
 

@@ -1,6 +1,6 @@
-// A ball and a rectangle, over a few starts and velocities: the encounter by the least distance, whose square is
-// rational and a piecewise quadratic function of time; for a collision, the contact in Q(√d), by its definition. (The
-// encounter alone, over many starts: formula/wall_encounter.cpp.)
+// A ball and a rectangle, over a few starts and velocities. The encounter is compared with the least distance, whose
+// square is rational and a piecewise quadratic function of time; the contact of a collision is compared in Q(√d) with
+// its definition. (formula/wall_encounter.cpp has many more starts, for the encounter alone.)
 #include <graze/solve.hpp>
 
 #include "../rational.hpp"
@@ -58,7 +58,7 @@ constexpr rational slope(const exact_ball<N>& b, const rational& t) {
 template <int N>
 constexpr rational least(const exact_ball<N>& b) {
     std::array<rational, 2 * N> times{};
-    std::size_t count = 1; // and t = 0
+    std::size_t count = 1; // times[0] is t = 0
     for (int i = 1; i < N; ++i) {
         for (const int end : {-half(i), half(i)}) {
             if (sign(b.velocity[i]) != 0) {
