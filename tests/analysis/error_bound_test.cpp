@@ -1,4 +1,4 @@
-// The derived constants: by hand, and as bounds of what a search for the worst inputs finds in doubles.
+// The derived constants: by hand, and as bounds of the errors that a search for the worst inputs finds in doubles.
 #include <graze/analysis/error_bound.hpp>
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
@@ -37,7 +37,7 @@ using other_degree = decltype([] { return length + speed; });
 using other_product = decltype([] { return length * length - length * speed; });
 static_assert(constant<same_degree> && !constant<other_degree> && !constant<other_product>);
 
-// The multiple of u that a formula's error comes to; what it has beyond a whole number are terms in u².
+// Whether a formula's error is this multiple of u; what is left over are terms in u².
 bool is_nearly(const error_bound& b, double units) { return b.error >= units && b.error < units * (1 + 0x1p-45); }
 
 // A ball's motion in 3D from exact and from rounded differences.
@@ -75,7 +75,7 @@ TEST_CASE("The calculus by hand, in units u") {
 TEST_CASE("The formulas of two balls by hand") {
     const auto sharp = motion<3>({1, 0, 0}, {0, 1, 0}, false);
     const auto rough = motion<3>({1, 0, 0}, {0, 1, 0}, true);
-    // An inner product in space: three roundings, and what its factors bring, one each.
+    // An inner product in space has three roundings of its own, and one from each factor.
     CHECK(is_nearly(graze::coefficient_h{}(sharp), 3));
     CHECK(is_nearly(graze::coefficient_h{}(rough), 3 + 1 + 1));
     CHECK(is_nearly(graze::coefficient_h{}(motion<2>({1, 0, 0}, {0, 1, 0}, true)), 2 + 1 + 1));
@@ -102,8 +102,8 @@ double norm(const graze::vec<N, double>& x) { // from above
     return std::sqrt(sum.get_d()) * (1 + 0x1p-50);
 }
 
-// Numbers that a motion is made of; the motion in T (in doubles with rounded differences, as the predicates take it)
-// and as the formula sees it; and the scales, which bound the norm of each of its vectors.
+// The numbers that a motion is made of; the motion in T (in doubles with rounded differences, as the predicates take
+// it) and as the formula takes it; and the scales, which bound the norm of each of its vectors.
 template <int N>
 struct ball_inputs {
     static constexpr std::size_t count = 4 * static_cast<std::size_t>(N) + 2;
@@ -152,7 +152,7 @@ struct plane_inputs {
     }
 };
 
-// How a formula's numbers are made of a motion, and their bounds.
+// How a formula's numbers and their bounds are made from a motion.
 struct as_way {
     template <class M>
     static auto seen(const M& m) {
@@ -231,7 +231,7 @@ struct flat_inputs {
 
 double power(double x, int n) { return n == 0 ? 1.0 : x * power(x, n - 1); }
 
-// |computed - exact| of F over its bound, on these inputs, in this rounding mode.
+// The error |computed - exact| of F as a share of its bound, on these inputs and in this rounding mode.
 template <class Inputs, class F, class I>
 double share_of_bound(const I& x, int mode) {
     constexpr double k = graze::filter_constant(F{}, Inputs::bounds::value());
@@ -246,14 +246,14 @@ double share_of_bound(const I& x, int mode) {
     return mpq_class(abs(mpq_class(computed) - truth)).get_d() / bound;
 }
 
-// 53 random bits, its magnitude in [1, 2): where roundings are relatively largest or smallest, by the search's choice.
+// Of magnitude in [1, 2), with 53 random bits. One in four is next to a power of two, where roundings are extreme.
 double random_double(families::random& r) {
     const std::uint64_t fraction = r.one_in(4) ? r.below(4) : r.next() >> 12U;
     const double x = std::bit_cast<double>(std::uint64_t{1023} << 52U | fraction);
     return r.one_in(2) ? x : -x;
 }
 
-// The largest share that a search finds: random starts, then changes of one number that make it larger.
+// The largest share that a search finds: it starts at random and keeps changes of one number that raise the share.
 template <class Inputs, class F>
 double worst_share(int mode) {
     families::random r(static_cast<std::uint64_t>(mode) + 17);
@@ -280,8 +280,8 @@ double worst_share(int mode) {
     return worst;
 }
 
-// No share may be more than 1, and the largest is more than `least`: the bound is not larger than need be by more than
-// that. Where least is half or more, half of the constant would have been found out.
+// No share exceeds 1, and the largest exceeds `least`: so the bound is at most 1/least times as large as necessary. If
+// least is a half or more, half of the constant would fail.
 template <class Inputs, class F>
 void check_bound(const std::string& name, double least) {
     double worst = 0;
@@ -294,7 +294,7 @@ void check_bound(const std::string& name, double least) {
     MESSAGE(name << ": of its bound, the worst error found is " << worst);
 }
 
-// (r_a + r_b)²: 3u of it.
+// (r_a + r_b)² is off by 3u of it.
 struct square_of_radii {
     template <class M>
     constexpr auto operator()(const M& m) const {
@@ -342,7 +342,7 @@ TEST_CASE("No error found in doubles is larger than its bound, in any rounding m
 }
 
 TEST_CASE("A constant of half the size would be found out") {
-    // Both roundings may be of nearly u each, the first of which counts twice.
+    // Both roundings may be nearly u each, and the first one counts twice.
     using ball2 = ball_inputs<2>;
     double worst = 0;
     families::random r(1);

@@ -1,4 +1,4 @@
-// fpcore_term: what it writes is FPCore by the published grammar (FPCore 2.0), and computes what the formula computes.
+// What fpcore_term writes is FPCore by the published grammar (FPCore 2.0), and computes what the formula computes.
 #include <graze/analysis/fpcore_term.hpp>
 
 #include <graze/formula/discriminant.hpp>
@@ -35,7 +35,7 @@ bool is_symbol(const std::string& s) {
     }
     return good;
 }
-bool is_number(const std::string& s) { // whole ones, which are all that is written
+bool is_number(const std::string& s) { // only whole numbers are ever written
     const std::size_t from = s.starts_with('-') || s.starts_with('+') ? 1 : 0;
     return s.size() > from && s.find_first_not_of("0123456789", from) == std::string::npos;
 }
@@ -100,7 +100,7 @@ class parser {
 
 const std::map<std::string, std::size_t> operators = {{"+", 2}, {"-", 2}, {"*", 2}, {"/", 2}, {"fma", 3}, {"sqrt", 1}};
 
-// Expressions of the grammar, as far as formulas need them: numbers, bound symbols, operations, let*.
+// Evaluates the expressions that formulas need: numbers, bound symbols, operations, let*.
 double value_of(const node& n, std::map<std::string, double> bound) {
     if (!n.is_list) {
         if (is_number(n.atom)) {
@@ -142,7 +142,7 @@ double value_of(const node& n, std::map<std::string, double> bound) {
                             : x[0] - x[1];
 }
 
-// (FPCore (argument*) property* expr); throws where the text is something else.
+// Evaluates (FPCore (argument*) property* expr). Throws if the text is anything else.
 double run(const std::string& text, const std::map<std::string, double>& arguments) {
     const node core = parser(text).parse();
     if (!core.is_list || core.items.size() < 3 || core.items[0].atom != "FPCore" || !core.items[1].is_list) {

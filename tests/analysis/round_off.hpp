@@ -1,6 +1,6 @@
-// |computed - exact| <= K 2^-p M for a type T of p bits that rounds to nearest: K as the compiler derives it for the
-// filters, M the norms of the inputs to the quantity's degrees; for pairs of every hard family, with their own doubles
-// and with numbers of all of T's bits beside them.
+// |computed - exact| <= K 2^-p M for a type T of p bits that rounds to nearest. K is the constant that the compiler
+// derives for the filters; M is the product of the inputs' norms to the quantity's degrees. Checked on pairs of every
+// hard family, with their own doubles and with numbers that use all of T's bits.
 #pragma once
 
 #include "../../proofs/bounds/constants.hpp"
@@ -15,11 +15,11 @@
 
 namespace round_off {
 
-// With u = 2^-p, where roundings are to nearest.
+// K with u = 2^-p, since T rounds to nearest.
 template <class Q, int N, class T>
 inline constexpr double constant = bounds::constant<Q, N, graze::number_traits<T>::digits + 1>;
 
-// Exactly, however small: types with more exponents than double have numbers that no double is near.
+// Exact for any exponent: types with a larger range than double have numbers that no double is near.
 template <class T>
 mpq_class exact_value(T x) {
     mpq_class unit = 1;
@@ -72,7 +72,7 @@ double error_in_units(const std::vector<T>& inputs) {
     }
 }
 
-// In [0, 1), all bits of T drawn.
+// In [0, 1), with all bits of T random.
 template <class T>
 T drawn_fraction(families::random& r) {
     T x(0);
@@ -89,7 +89,7 @@ void check(const std::vector<double>& inputs, families::random& r, record& to) {
         in_t.push_back(static_cast<T>(x));
     }
     for (const bool is_extended : {false, true}) {
-        if (is_extended) { // beside the doubles, by less than their last place
+        if (is_extended) { // moved from the doubles by less than their last place
             for (T& x : in_t) {
                 x = x + x * (drawn_fraction<T>(r) * T(0x1p-53));
             }
@@ -103,7 +103,7 @@ void check(const std::vector<double>& inputs, families::random& r, record& to) {
     }
 }
 
-// The numbers of a pair in the order in which the quantities take them: the two of which each difference is made.
+// The numbers of a pair in the order in which the quantities take them: two for each difference.
 template <int N>
 std::vector<double> numbers(const graze::ball<N, double>& a, const graze::ball<N, double>& b) {
     std::vector<double> x;
@@ -137,8 +137,8 @@ void check_quantity(const families::pair_of_doubles<N>& pair, families::random& 
     }
 }
 
-// Of random numbers with all of T's bits, changed one by one to make the error larger. The bound is not larger than
-// that by more than a factor of `slack`: were the constant smaller by that, the largest error would be beyond.
+// Starts from random numbers with all of T's bits and changes them one by one to make the error larger. The bound is at
+// most `slack` times what this finds: a constant smaller by that factor would be exceeded.
 template <class Q, int N, class T>
 double worst_found() {
     families::random r(3);
@@ -170,7 +170,7 @@ double worst_found() {
     return worst;
 }
 
-// One property a quantity; every family is drawn from.
+// One property for each quantity. It draws from every family.
 template <class T, class Q, int N>
 void holds_in_every_family(double slack) {
     record to;
@@ -197,14 +197,14 @@ void holds_in_every_family(double slack) {
             << to.tried << " errors: " << to.worst << ", found " << found);
 }
 
-// Half of the constant would be found out, for every type: R² errs by nearly 3 units.
+// Half of the constant would fail for every type: R² errs by nearly 3 units.
 template <class T>
 void half_is_not_enough() {
     double worst = 0;
     families::random r(3);
     for (int i = 0; i < 4000; ++i) {
         std::vector<T> x(bounds::inputs_of<bounds::radii, 2>);
-        // A little more than 1, and something below half a unit in its last place.
+        // A number just above 1, and one below half a unit in its last place.
         x[x.size() - 2] = T(1 + std::ldexp(static_cast<double>(r.below(64)), -12));
         x[x.size() - 1] =
             T(-std::ldexp(static_cast<double>(2 * r.below(1U << 10U) + 1), -graze::number_traits<T>::digits - 11));
@@ -215,8 +215,8 @@ void half_is_not_enough() {
     CHECK(worst > k / 2);
 }
 
-// Of each the slack that is stated: how much less than the bound so short a search finds in any of the types. (A long
-// one in two types: docs/reference/error-bounds.md.)
+// Each quantity with its slack: how much less than the bound such a short search finds in any of the types.
+// (docs/reference/error-bounds.md has a long search in two types.)
 template <class T>
 void check_type() {
     holds_in_every_family<T, bounds::textbook, 2>(8);

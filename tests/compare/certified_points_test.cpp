@@ -55,7 +55,7 @@ TEST_CASE("a certified point meets what the oracle says") {
         CHECK(fault_of<2>(any_point_scene<2>(seed, seed % 2 == 0)) == "");
         CHECK(fault_of<3>(any_point_scene<3>(seed, seed % 2 == 0)) == "");
     }
-    for (const std::uint64_t seed : {5423, 5465, 5545}) { // the check was once wrong of these: it comes round a border
+    for (const std::uint64_t seed : {5423, 5465, 5545}) { // once judged wrongly: the point comes round a border
         CHECK(fault_of<2>(any_point_scene<2>(seed, seed % 2 == 0)) == "");
     }
     for (const std::uint64_t seed : {5103, 5398, 5467, 5490}) {
@@ -71,10 +71,10 @@ TEST_CASE("a certified point that has come to slide above a floor stays above it
     CHECK(fault_of<3>(raised(sliding_scenes().back())) == "");
 }
 
-// Off the upper side of a wall, round it and to its lower side.
+// A point bounces off the upper side of a wall, goes round it and comes to its lower side.
 TEST_CASE("a certified point meets a wall on its other side too") {
     const point_scene<2> s{{{{{0, 2}}, {{0, -1}}, 0, 1}},
-                           {{{{-1, 0}}, {{{{2, 0}}}}},     // the one in question
+                           {{{{-1, 0}}, {{{{2, 0}}}}},     // the wall in question
                             {{{-1, 3}}, {{{{2, 2}}}}},     // leads to the right,
                             {{{3, 5}}, {{{{2, -2}}}}},     // down,
                             {{{3, -5}}, {{{{2, 2}}}}},     // to the left

@@ -42,8 +42,8 @@ constexpr graze::partner ball = graze::partner::ball, plane = graze::partner::pl
 } // namespace
 
 TEST_CASE("a scene that is solved by hand") {
-    // Of masses 3 and 1 and radius 1: 1 into rest at t = 3 gives 1/2 and 3/2; the lighter one goes 4 to the plane, and
-    // comes back with -3/2 to the heavier one, 4 minus what that has gone away.
+    // Masses 3 and 1, radius 1. A ball of speed 1 hits one at rest at t = 3, which gives 1/2 and 3/2. The lighter ball
+    // goes 4 to the plane and comes back with -3/2; the heavier one has come towards it meanwhile.
     const exact_scene<2> scene = scene_of(R"({"dimension": 2, "balls": [
         {"position": [0, 0], "velocity": [1, 0], "radius": 1, "mass": 3},
         {"position": [5, 0], "velocity": [0, 0], "radius": 1}], "planes": [{"point": [10, 0], "normal": [2, 0]}]})");
@@ -58,8 +58,8 @@ TEST_CASE("a scene that is solved by hand") {
     CHECK(found.events[1].who == graze::scene_pair{plane, 1, 0});
     CHECK(is(found.events[1].time, 3 + exact(8, 3)));
     CHECK(is(found.events[1].a.velocity[0], exact(-3, 2)));
-    // Then the heavier one is at 3 + 4/3, the lighter one at 9: a gap of 8/3 that closes at speed 2. The centre of mass
-    // moves with (3/2 - 3/2)/4 = 0, so that both turn round.
+    // By then the heavier ball is at 3 + 4/3 and the lighter one at 9: a gap of 8/3, which closes at speed 2. The
+    // centre of mass moves with (3/2 - 3/2)/4 = 0, so both turn round.
     CHECK(found.events[2].who == graze::scene_pair{ball, 0, 1});
     CHECK(is(found.events[2].time, 3 + exact(8, 3) + exact(4, 3)));
     CHECK(is(found.events[2].a.velocity[0], exact(-1, 2)));
@@ -68,8 +68,8 @@ TEST_CASE("a scene that is solved by hand") {
 }
 
 TEST_CASE("equal times that are no rationals are found equal") {
-    // A pair and its mirror image in the plane: D = 4 - 1 = 3, so that both meet at 10 - √3; the balls that were hit
-    // then reach the plane from both sides at equal times.
+    // A pair and its mirror image in the plane: D = 4 - 1 = 3, so both meet at 10 - √3. The balls that were hit then
+    // reach the plane from both sides at equal times.
     const exact_scene<2> scene = scene_of(R"({"dimension": 2, "balls": [
         {"position": [0, 0], "velocity": [1, 0], "radius": 1}, {"position": [10, 1], "velocity": [0, 0], "radius": 1},
         {"position": [200, 50], "velocity": [-1, 0], "radius": 1},
@@ -112,7 +112,7 @@ TEST_CASE("the cradle passes on one ball's velocity at one instant") {
         CHECK(found.events[i].tied == (i > 0));
     }
     CHECK(found.events[5].who == graze::scene_pair{plane, 5, 1});
-    CHECK(is(found.balls[0].velocity[0], 1)); // back where it came from
+    CHECK(is(found.balls[0].velocity[0], 1)); // it goes back where it came from
 }
 
 TEST_CASE("Galperin's billiard counts the digits of pi") {
@@ -123,7 +123,7 @@ TEST_CASE("Galperin's billiard counts the digits of pi") {
 
 namespace {
 
-// The photon traced by itself, in 120 digits: the nearest circle ahead, over and over.
+// Traces the photon independently, in 120 digits: the nearest circle ahead, again and again.
 using real =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<120>, boost::multiprecision::et_off>;
 struct traced {
@@ -170,7 +170,7 @@ TEST_CASE("the photon of the hundred digits") {
     CHECK(found.why == graze::ending::time);
     const auto& p = found.balls[0].position;
     const std::string text = decimal_text(sqrt(p[0] * p[0] + p[1] * p[1]), 100);
-    CHECK(text.substr(0, 26) == "0.995262919443354160890311"); // as published
+    CHECK(text.substr(0, 26) == "0.995262919443354160890311"); // the published digits
     const traced other = trace(10);
     CHECK(text == other.distance.str(100, std::ios::fixed));
     REQUIRE(found.events.size() == other.mirrors.size());
@@ -288,7 +288,7 @@ TEST_CASE("nothing is said of what was not run, or is not known") {
     h.compared = comparison::none;
     CHECK(first_mistake_of<2>(h, truth).what == mistake::none);
 
-    // A proof that was interrupted, and a type that went on.
+    // The proof was interrupted, and the type went on.
     h.compared = comparison::whole;
     h.events = {a, b, c, d};
     h.times = {1, 2, 3, 4};
@@ -300,7 +300,7 @@ TEST_CASE("nothing is said of what was not run, or is not known") {
 }
 
 TEST_CASE("images are met in a scene that has a period") {
-    // Two balls on a line of length 4 that come together at 0 and at 2 in turn.
+    // Two balls on a line of length 4, which meet at 0 and at 2 in turn.
     const certified_result<2> line = proved(scene_of(R"({"dimension": 2, "period": [4, 0], "balls": [
         {"position": [-1, 0], "velocity": [1, 0], "radius": "1/2"},
         {"position": [9, 0], "velocity": [-1, 0], "radius": "1/2"}]})"),
@@ -310,7 +310,7 @@ TEST_CASE("images are met in a scene that has a period") {
     for (int i = 0; i < 5; ++i) {
         CHECK(is(line.events[static_cast<std::size_t>(i)].time, exact(2 * i + 1, 2)));
     }
-    // Whichever images are given, and however the balls meet, the events are the same.
+    // The events do not depend on which images are given, nor on how the balls meet.
     const auto oblique = [](const char* third) {
         return proved(scene_of(std::string(R"({"dimension": 2, "period": [5, "9/2"], "balls": [
             {"position": [0, 0], "velocity": [1, "1/3"], "radius": "1/2"},
@@ -331,7 +331,7 @@ TEST_CASE("images are met in a scene that has a period") {
 
 namespace {
 
-// Three balls in a cuboid: its six sides as walls, or each as two triangles whose common edge is inner.
+// Three balls in a cuboid whose six sides are walls, or pairs of triangles with a common inner edge.
 exact_scene<3> cuboid(bool of_triangles) {
     const std::string balls = R"("balls": [
         {"position": [1, 1, 1], "velocity": [1, "1/3", "2/7"], "radius": "1/2"},
@@ -383,8 +383,8 @@ TEST_CASE("two triangles that share an inner edge are what the wall is that they
 }
 
 TEST_CASE("a certified ball meets a triangle's slanted edge and its corners") {
-    // Onto the edge from (4, 0, 0) to (0, 4, 0) at a distance of r/2, onto a corner likewise, and past the edge by
-    // more.
+    // Balls fall onto the edge from (4, 0, 0) to (0, 4, 0) at a distance of r/2 from it, onto a corner, and past the
+    // edge.
     const auto fall = [](const char* x, const char* inner) {
         const std::string text = std::string(R"({"dimension": 3, "balls": [{"position": )") + x +
                                  R"(, "velocity": [0, 0, -1], "radius": 1}],
@@ -406,7 +406,7 @@ TEST_CASE("a certified ball meets a triangle's slanted edge and its corners") {
         CHECK(passed.events.empty());
     }
     CHECK(fall(R"(["9/4", "9/4", 5])", "[0, 2]").events.size() == 1);
-    CHECK(fall(R"([1, 1, 5])", "[0, 1, 2]").events.size() == 1); // the face
+    CHECK(fall(R"([1, 1, 5])", "[0, 1, 2]").events.size() == 1); // the face is met all the same
 }
 
 } // namespace certified_run_test

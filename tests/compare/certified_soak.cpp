@@ -1,4 +1,4 @@
-// Galperin's billiard with a mass of 10^8: 31,415 collisions, proved.
+// Proves Galperin's billiard with a mass of 10^8: 31,415 collisions.
 #include "run/certified_run.hpp"
 #include "scene_reader.hpp"
 

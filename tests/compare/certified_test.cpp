@@ -1,4 +1,4 @@
-// The numbers of the certified run against GMP's rationals.
+// The numbers of the certified run, compared with GMP's rationals.
 #include "run/certified.hpp"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ bool contains(const certified& x, const mpq_class& value) {
 
 exact exact_of(int numerator, int denominator) { return {numerator, denominator}; }
 
-// A number and what it must be.
+// A number and its true value.
 struct pair {
     certified number;
     mpq_class value;
@@ -118,7 +118,7 @@ TEST_CASE("numbers of one quadratic field are exact, and their signs are certain
                                   (x.q * y.p - x.p * y.q) / norm}}) {
             RC_ASSERT(z.number.is_exact());
             RC_ASSERT(z.number.is_rational() == (z.q == 0));
-            // By 400 bits of the root: these numbers cannot be 0 and that small.
+            // 400 bits of the root are enough: these numbers are 0 or larger than that.
             mpf_class root(0, 400);
             mpf_sqrt_ui(root.get_mpf_t(), static_cast<unsigned long>(d));
             const mpf_class value = mpf_class(z.p, 400) + mpf_class(z.q, 400) * root;
@@ -128,7 +128,7 @@ TEST_CASE("numbers of one quadratic field are exact, and their signs are certain
             const mpq_class near(value), off = abs(near) / (mpz_class(1) << 300);
             RC_ASSERT(mpfr_cmp_q(around.lower(), mpq_class(near + off).get_mpq_t()) <= 0);
             RC_ASSERT(mpfr_cmp_q(around.upper(), mpq_class(near - off).get_mpq_t()) >= 0);
-            // The root of the square, whatever its sign, is in the field too.
+            // The root of the square, whichever sign it has, is in the field too.
             const certified square_root = sqrt(z.number * z.number);
             RC_ASSERT(square_root.is_exact());
             RC_ASSERT((sign < 0 ? square_root + z.number : square_root - z.number).certain_sign() == 0);
@@ -156,7 +156,7 @@ TEST_CASE("what shares an unknown number cancels exactly") {
     CHECK((third * x - x / certified(3)).certain_sign() == 0);
     CHECK((x / x).is_rational());
     CHECK((x * certified(0)).certain_sign() == 0);
-    const certified y = root_of(2, 53).enclosed(); // the same number, but nobody knows that
+    const certified y = root_of(2, 53).enclosed(); // the same number, but its interval does not say so
     CHECK(!(y - x).certain_sign());
     CHECK_THROWS_AS((void)(y - x).sign(), compare::run::undecided_sign);
 }

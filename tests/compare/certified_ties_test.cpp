@@ -1,5 +1,5 @@
-// Events of one time in certified runs, against a simulator in 120 digits that takes times for equal when 60 digits
-// are.
+// Simultaneous events in certified runs, compared with a simulator in 120 digits, to which times are equal if 60 digits
+// agree.
 #include "run/certified_run.hpp"
 #include "scene_reader.hpp"
 
@@ -33,7 +33,7 @@ struct happening {
     real time;
 };
 
-// Brute force: all pairs, advanced from event to event. Planes across an axis.
+// Brute force: it looks at all pairs and advances from event to event. Planes are across an axis.
 class simulator {
   public:
     explicit simulator(const exact_scene<2>& scene) : order_(scene.balls.size()), rank_(scene.balls.size()) {
@@ -61,7 +61,7 @@ class simulator {
                     who = {a, b};
                 }
             };
-            for (const std::size_t a : order_) { // of one time, the first in this order
+            for (const std::size_t a : order_) { // of simultaneous events, the first in this order
                 for (const std::size_t b : order_) {
                     if (rank_[a] < rank_[b]) {
                         offer(time(balls_[a], balls_[b]), a, b);
@@ -132,7 +132,7 @@ certified_result<2> proved(const exact_scene<2>& scene, std::uint64_t events, lo
     return certified_run<2>(scene, {{}, events}, {15, most_bits}, progress_line(false));
 }
 
-// The same events as the simulator's, those of one time in any order.
+// The events are the simulator's; simultaneous ones may be in any order.
 void check_sequence(const certified_result<2>& found, std::vector<happening> expected) {
     REQUIRE(found.events.size() == expected.size());
     for (std::size_t from = 0; from < expected.size();) {
@@ -226,12 +226,11 @@ TEST_CASE("Galperin's billiard, a mass of a million") {
     CHECK(found.events.size() == 3141);
     CHECK(found.why == graze::ending::exhausted);
     CHECK(found.problem.empty());
-    CHECK(found.attempts == 1); // enclosures that grew with every event would take more bits, and more attempts
+    CHECK(found.attempts == 1); // if enclosures grew with every event, it would take more bits and more attempts
     for (std::size_t i = 0; i < found.events.size(); ++i) {
         CHECK(found.events[i].who.with == (i % 2 == 0 ? ball : graze::partner::plane));
     }
-    // Velocities times the root of the mass are a point on a circle, and each pair of events turns it by 2 arctan
-    // 10^-3.
+    // Velocities times the root of their mass are a point on a circle. Each pair of events turns it by 2 arctan 10^-3.
     const real angle = 3142 * atan(1 / real(1000));
     CHECK(near_double(found.balls[1].velocity[0]) == doctest::Approx(static_cast<double>(-cos(angle))).epsilon(1e-14));
     CHECK(near_double(found.balls[0].velocity[0]) ==

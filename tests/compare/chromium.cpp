@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A directory that is gone at the end.
+// A directory that is removed at the end.
 struct scratch {
     fs::path path;
     scratch() {
@@ -53,7 +53,7 @@ void save(const fs::path& path, const std::string& content) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// What the browser prints; killed with all that it started when two minutes are over.
+// What the browser prints. After two minutes, it and all that it started are killed.
 [[nodiscard]] std::string run(const fs::path& room, const std::vector<std::string>& more) {
     std::vector<std::string> words = {*chromium(),
                                       "--headless",
@@ -130,7 +130,7 @@ void save(const fs::path& path, const std::string& content) {
     return text;
 }
 
-// Runs in the page. A headless window is at least 500 pixels wide, so the page stands in a frame, to which it answers.
+// Runs in the page. A headless window is at least 500 pixels wide, so the page is in a frame and sends its answer out.
 constexpr std::string_view measure = R"(<script>addEventListener('load', () => {
   const round = x => Math.round(x * 10) / 10, visible = e => e.getBoundingClientRect().width > 0;
   const pictures = [...document.querySelectorAll('figure svg, body > svg')].filter(visible).map(svg => {
@@ -147,7 +147,7 @@ constexpr std::string_view measure = R"(<script>addEventListener('load', () => {
     references: performance.getEntriesByType('resource').length + [...document.querySelectorAll('[src], [href], [srcset], [data]')]
       .filter(e => !(e.getAttribute('href') ?? '').startsWith('#')).length, scripts: document.scripts.length - 1, pictures }), '*') })</script>)";
 
-// Of each image, with its boxes.
+// Counts the pixels of each image within its boxes.
 constexpr std::string_view count_pixels = R"(<script>addEventListener('load', () => {
   document.getElementById('answer').textContent = JSON.stringify([...document.images].map((image, i) => {
     const canvas = document.createElement('canvas');
@@ -162,7 +162,7 @@ constexpr std::string_view count_pixels = R"(<script>addEventListener('load', ()
           colours.add((d[i] >> 4) << 8 | (d[i + 1] >> 4) << 4 | d[i + 2] >> 4) }
         return { ink: ink / (d.length / 4), colours: colours.size } }) } })) })</script>)";
 
-// A page that shows files in frames and answers what they answer.
+// A page that shows files in frames and passes their answers on.
 [[nodiscard]] std::string frames(const std::vector<std::size_t>& files, const std::vector<view>& views, int height) {
     std::ostringstream page;
     page << "<!DOCTYPE html><style>body { margin: 0 } iframe { border: 0; display: block; height: " << height
@@ -254,7 +254,7 @@ std::vector<seen_page> look_at(const std::vector<view>& views) {
         if (!views[i].pixels) {
             continue;
         }
-        // A screen ends at 16,384 pixels; the pictures stand above the tables.
+        // A screenshot ends at 16,384 pixels; the pictures are above the tables.
         const int height = std::min(found[i].at("height").get<int>(), 16000);
         images += "<img src=\"data:image/png;base64," + base64(shot(room.path, views, i, height)) + "\">";
         shown.push_back(i);

@@ -1,4 +1,4 @@
-// Exact values in other binary formats: against the C library for its types, and against MPFR's own rounding.
+// Exact values in other binary formats, compared with the C library for its types and with MPFR's rounding.
 #include "exact_access.hpp"
 #include "exact_text.hpp"
 #include "solve_pairs.hpp"
@@ -39,7 +39,7 @@ using mpfr_50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;
 using bin_float_50 = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
 using bin_float_100 = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
 
-// All digits, hexadecimal.
+// All digits, in hexadecimal.
 std::string text_of(mpfr_srcptr x) {
     mpfr_exp_t exponent = 0;
     char* digits = mpfr_get_str(nullptr, &exponent, 16, 0, x, MPFR_RNDN);
@@ -48,7 +48,7 @@ std::string text_of(mpfr_srcptr x) {
     return result;
 }
 
-// What MPFR reads from the decimal with that many bits.
+// The decimal as MPFR reads it to this many bits.
 std::string by_mpfr(const std::string& text, long bits) {
     mpfr_t x;
     mpfr_init2(x, bits);
@@ -58,7 +58,7 @@ std::string by_mpfr(const std::string& text, long bits) {
     return result;
 }
 
-// An exact value that has at most that many bits.
+// An exact value that has at most this many bits.
 std::string exactly(const exact& value, long bits) {
     mpq_t rational;
     mpq_init(rational);

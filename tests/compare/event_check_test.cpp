@@ -1,4 +1,4 @@
-// The second opinion on events: it lets what is true pass, and refutes what is false whoever says it.
+// The check of events accepts what is true and refutes what is false, whoever says it.
 #include "run/event_check.hpp"
 
 #include <doctest/doctest.h>
@@ -25,7 +25,7 @@ graze::ball<2, certified> ball_of(const graze::vec<2, certified>& x, const graze
 
 constexpr graze::partner ball = graze::partner::ball, plane = graze::partner::plane, wall = graze::partner::wall;
 
-// What the check says: empty if nothing.
+// The check's message; empty if it accepts.
 template <class F>
 std::string said(F f) {
     try {
@@ -67,7 +67,7 @@ plane_flight flight_of(const certified& x, const certified& u, const certified& 
 TEST_CASE("a collision away from its wall is refuted") {
     const auto scene = point_and_walls();
     event_check<2> check(scene);
-    // In the line of wall 0, three units from its corner: where the plane of the wall is met at t = 1.
+    // On the line of wall 0, three units from its corner, where it meets the wall's plane at t = 1.
     const plane_flight back{ball_of(at(number(0), number(0)), at(number(0), number(1)), number(0)), number(1)};
     const std::string text = said([&] { check.event({wall, 0, 0}, number(1), back, nullptr); });
     CHECK(holds(text, "ball 0 and wall 0 do not touch"));
@@ -124,7 +124,7 @@ TEST_CASE("a ball that has bounced is not held against another one as if it had 
     s.balls.push_back(ball_of(at(number(4), number(10)), at(number(0), number(-1)), number(1)));
     s.planes.push_back({at(number(0), number(2)), at(number(0), number(1))});
     event_check<2> check(s);
-    // Straight back from its bounce ball 1 would have been where ball 0 was, at (4, 0), at t = 4.
+    // Straight back from its bounce, ball 1 would have been at (4, 0) at t = 4, where ball 0 was.
     const plane_flight up{ball_of(at(number(4), number(3)), at(number(0), number(1)), number(1)), number(7)};
     CHECK(said([&] { check.event({plane, 1, 0}, number(7), up, nullptr); }).empty());
     CHECK(said([&] { check.end(number(9)); }).empty());
@@ -150,7 +150,7 @@ TEST_CASE("in a scene that has a period images are met, none is left out, and pl
     ring.balls.push_back(ball_of(at(number(0), number(0)), at(number(1), number(0)), number(1)));
     ring.balls.push_back(ball_of(at(number(25), number(0)), at(number(0), number(0)), number(1)));
     ring.period = at(number(10), number(0));
-    // The first one gives its velocity to the second one, which comes round and gives it back.
+    // The first ball gives its velocity to the second, which comes round and gives it back.
     const plane_flight a = flight_of(number(3), number(0), number(3)), b = flight_of(number(5), number(1), number(3));
     const auto says = [&](const certified& x, const certified& t) {
         event_check<2> check(ring);
@@ -168,7 +168,7 @@ TEST_CASE("in a scene that has a period images are met, none is left out, and pl
     CHECK(said([&] { check.end(number(9)); }).empty());
     CHECK(holds(said([&] { check.end(number(10)); }), "met before that"));
 
-    owned_scene<2, certified> gate; // at 6, of which an image is at -4
+    owned_scene<2, certified> gate; // at 6; one of its images is at -4
     gate.balls.push_back(ball_of(at(number(0), number(0)), at(number(-1), number(0)), number(1)));
     gate.walls.push_back({at(number(6), number(-1)), {at(number(0), number(2))}});
     gate.period = ring.period;
@@ -214,8 +214,8 @@ TEST_CASE("what enclosures leave open is said to be open") {
 }
 
 TEST_CASE("a point goes through no wall at the instant of an event") {
-    // It comes to where the middle of wall 1 crosses wall 0, bounces off wall 0 and would be on the other side of
-    // wall 1.
+    // It comes to the place where the middle of wall 1 crosses wall 0, bounces off wall 0, and would then be on the
+    // other side of wall 1.
     owned_scene<2, certified> s;
     s.balls.push_back(ball_of(at(number(-1), number(1)), at(number(1), number(-1)), number(0)));
     s.walls.push_back({at(number(-2), number(0)), {at(number(4), number(0))}});
@@ -249,7 +249,7 @@ TEST_CASE("clearances of a wall in space") {
 }
 
 TEST_CASE("a triangle is passed over at an inner edge alone") {
-    // Falls onto the slanted edge of a triangle, half its radius beside it, at t = 5 - sqrt(7/8).
+    // It falls onto the slanted edge of a triangle, half its radius beside it, at t = 5 - sqrt(7/8).
     owned_scene<3, certified> s;
     s.balls.push_back(
         {{{number(9, 4), number(9, 4), number(5)}}, {{number(0), number(0), number(-1)}}, number(1), number(1)});
@@ -272,7 +272,7 @@ TEST_CASE("a triangle is passed over at an inner edge alone") {
     CHECK(at_the_end(0b100).empty());
     CHECK(holds(at_the_end(0b011), passed));
     s.balls[0].position = {{number(1), number(1), number(5)}};
-    s.balls[0].radius = number(0); // a point meets faces alone
+    s.balls[0].radius = number(0); // a point meets faces only
     CHECK(holds(at_the_end(0b111), passed));
 }
 

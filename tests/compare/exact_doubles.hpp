@@ -1,4 +1,4 @@
-// A pair of a family in exact arithmetic, for tests: by the oracle and by GMP, not by the code under test.
+// A family's pair in exact arithmetic, for tests: computed by the oracle and GMP, not by the code under test.
 #pragma once
 
 #include "oracle/encounter.hpp"
@@ -31,7 +31,7 @@ template <int N>
     return sum;
 }
 
-// What two balls' encounter rests on.
+// The numbers on which two balls' encounter rests.
 template <int N>
 struct relative {
     rationals<N> dx, du;

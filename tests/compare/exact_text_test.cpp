@@ -1,4 +1,4 @@
-// Numbers' text, and exact values to doubles and back: against the C library's strtod, which rounds correctly.
+// Numbers as text, and exact values to doubles and back, compared with the C library's strtod, which rounds correctly.
 #include "exact_text.hpp"
 #include "rounding.hpp"
 

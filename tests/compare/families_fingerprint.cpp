@@ -1,5 +1,5 @@
-// Prints a line for each family: its name and a hash of its first 1000 pairs in the plane and in space. It must print
-// families_fingerprint.txt on every platform. It needs only the standard library.
+// Prints each family's name and a hash of its first 1000 pairs in the plane and in space. The output must be
+// families_fingerprint.txt on every platform. Needs only the standard library.
 #include "../../examples/families/families.hpp"
 
 #include <cinttypes>

@@ -1,4 +1,4 @@
-// The families: each has the property in its name, in exact arithmetic.
+// Each family has the property in its name, in exact arithmetic.
 #include "exact_doubles.hpp"
 
 #include <doctest/doctest.h>
@@ -36,7 +36,7 @@ bool root_within(const mpq_class& square, const mpq_class& low, const mpq_class&
     return within(square, mpq_class(low * low), mpq_class(high * high));
 }
 
-// The significant bits of x, or 0 if it is no binary fraction.
+// The number of significant bits of x; 0 if x is no binary fraction.
 std::size_t bits_of(const mpq_class& x) {
     if (mpz_popcount(x.get_den().get_mpz_t()) != 1 || x == 0) {
         return 0;
@@ -85,7 +85,7 @@ IN_BOTH_DIMENSIONS("all pairs are valid input") {
 }
 
 IN_BOTH_DIMENSIONS("encounters are mixed") {
-    // The least share, in percent, of what each family is about; nothing is asked of the others.
+    // The least percentages of the encounters that each family is about; nothing is asked of the others.
     const std::map<std::string, std::map<encounter, int>> least{
         {"generic", {{encounter::hit, 20}, {encounter::miss, 10}, {encounter::recede, 20}, {encounter::overlap, 2}}},
         {"grazing", {{encounter::hit, 45}, {encounter::miss, 45}}},
@@ -194,7 +194,7 @@ IN_BOTH_DIMENSIONS("a rounded sum of radii answers otherwise") {
         if (index % 2 == 0) {
             CHECK(right.what != encounter::graze);
             CHECK(rounded.what == encounter::graze);
-        } else { // at once, where they overlap or collide later
+        } else { // at once if they overlap, else later
             CHECK((right.what == encounter::overlap || oracle::sign_of(*right.time) > 0));
             CHECK(rounded.what == encounter::hit);
             CHECK(oracle::sign_of(*rounded.time) == 0);

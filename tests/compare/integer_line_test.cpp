@@ -1,4 +1,4 @@
-// Flights in integers against the same collisions in GMP's rationals, by the impulse at the contact.
+// Flights in integers, compared with the same collisions in GMP's rationals, computed by the impulse at the contact.
 #include "run/integer_line.hpp"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ mpq_class ratio(const mpz_class& x, const mpz_class& y) {
 }
 int drawn(int low, int high) { return *rc::gen::inRange(low, high); }
 
-// A ball on the line y = 2/3 in rationals, and as a line of integers over a denominator that is not the least.
+// A ball on the line y = 2/3 in rationals, and as a line of integers over a denominator that is not in lowest terms.
 struct ball {
     mpq_class x, u;
     [[nodiscard]] integer_line<2> line(int times) const {
@@ -59,7 +59,7 @@ TEST_CASE("head on, once and again") {
         RC_ASSERT(ratio(y.speed[0], y.denominator) == v);
         RC_ASSERT(ratio(x.place[1], x.denominator) == fraction(2, 3));
 
-        // Then the one in front turns at a plane across its way.
+        // Then the ball in front bounces off a plane across its way.
         const mpq_class r = fraction(drawn(0, 9), drawn(1, 9)), ahead = fraction(drawn(1, 50), drawn(1, 9));
         RC_PRE(sgn(v) > 0);
         const mpq_class wall = place_at(y, t) + r + ahead;

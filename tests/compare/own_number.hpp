@@ -1,5 +1,5 @@
-// A number type and formulas of a user's: doubles of which 30 bits are kept after each operation, a solution that comes
-// twice as late as it should, and a discriminant.
+// A user's number type and formulas: doubles of which each operation keeps 30 bits, a solution whose times are twice as
+// large as they should be, and a discriminant.
 #pragma once
 
 #include "../precision/own/careless_discriminant.hpp"

@@ -1,4 +1,4 @@
-// A scene's pairs: all of them, or a sample whose strata are as large as it says.
+// A scene's pairs: all of them, or a sample whose strata have the stated sizes.
 #include "exact_doubles.hpp"
 #include "families.hpp"
 #include "oracle/encounter.hpp"
@@ -73,7 +73,7 @@ TEST_CASE("every pair, but those of two infinite masses") {
     for (std::uint64_t i = 0; i < 20; ++i) {
         hits += 2 * (20 - i);
     }
-    hits -= 2; // of infinite masses
+    hits -= 2; // between infinite masses
     expected[{pair_kind::ball_ball, graze::encounter::hit}] = hits;
     expected[{pair_kind::ball_ball, graze::encounter::recede}] = all.total - 120 - hits;
     CHECK(count<2>(all.pairs) == expected);
@@ -98,9 +98,9 @@ TEST_CASE("a sample takes as many of each stratum as it says, none twice") {
         taken += s.taken;
     }
     CHECK(taken == 500);
-    CHECK(counts.at({pair_kind::ball_plane, graze::encounter::hit}) == 20);     // less than its share: all
-    CHECK(counts.at({pair_kind::ball_plane, graze::encounter::recede}) == 100); // likewise
-    CHECK(counts.at({pair_kind::ball_ball, graze::encounter::hit}) == 190);     // what is left, in equal parts
+    CHECK(counts.at({pair_kind::ball_plane, graze::encounter::hit}) == 20);     // fewer than its share, so all
+    CHECK(counts.at({pair_kind::ball_plane, graze::encounter::recede}) == 100); // the same
+    CHECK(counts.at({pair_kind::ball_ball, graze::encounter::hit}) == 190);     // an equal part of the rest
     CHECK(counts.at({pair_kind::ball_ball, graze::encounter::recede}) == 190);
     std::set<key> distinct;
     for (const auto& p : sample.pairs) {

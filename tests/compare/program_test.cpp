@@ -95,7 +95,7 @@ TEST_CASE("without times there are no trade-offs, and no figure of what was not 
         "planes": [{"point": [0, 0], "normal": [0, 1]}]})");
     const ending alone = here.run("plane.json --types double --timing 0 --json plane_out.json");
     const auto rows = nlohmann::json::parse(content_of(here / "plane_out.json"))["rows"];
-    CHECK(rows[0]["momentum"]["count"] == 0); // a plane takes up momentum
+    CHECK(rows[0]["momentum"]["count"] == 0); // a plane absorbs momentum
     CHECK(rows[0]["momentum"]["median"].is_null());
     CHECK(rows[0]["momentum"]["largest"].is_null());
     CHECK(rows[0]["errors"]["time"]["largest"].is_null());
@@ -106,7 +106,7 @@ TEST_CASE("without times there are no trade-offs, and no figure of what was not 
 
 TEST_CASE("what no type measured is not told as if it were not there") {
     const bench here;
-    // A hit, of which floats and doubles overflow; a pair that overlaps; one that recedes.
+    // A hit for which floats and doubles overflow, a pair that overlaps, and one that recedes.
     here.write("fast.json", R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [0, 0], "radius": 1},
         {"position": [1e300, 1e300], "velocity": [-1e308, -1e308], "radius": 1e290}]})");
     here.write("inside.json", R"({"dimension": 2, "balls": [{"position": [0, 0], "velocity": [1, 0], "radius": 1},
@@ -164,7 +164,7 @@ TEST_CASE("the wrong and the worst pairs are named, and their commands show them
             if (r.variant != "textbook" || r.root != "printed") {
                 continue;
             }
-            // The pair alone, by its number and as a scene: the same error, the same answers.
+            // The pair alone, by its number and as a scene, gives the same error and the same answers.
             for (const std::string& inputs : {found.inputs + " --pair " + std::to_string(x.pair),
                                               " found/pair-" + std::to_string(x.pair) + ".json --as exact"}) {
                 const ending again =
@@ -184,7 +184,7 @@ TEST_CASE("the wrong and the worst pairs are named, and their commands show them
     }
     CHECK(wrong >= 2);
     CHECK(errors >= 4);
-    // What is printed is a command that does it.
+    // The printed command works.
     const auto at = e.out.find("graze-compare --family grazing");
     REQUIRE(at != std::string::npos);
     std::string printed = on_one_line(e.out.substr(at, 200));
@@ -251,7 +251,7 @@ TEST_CASE("a small run") {
     CHECK(holds(e.out, "cpp_rational"));
     const compare::results found = compare::read_results((here / "out.json").string());
     CHECK(here.files() == 1);
-    CHECK(found.rows.size() == 8 + 6); // no fused multiply-add in rationals
+    CHECK(found.rows.size() == 8 + 6); // rationals have no fused multiply-add
     std::size_t wrong_double = 0, wrong_exact = 0;
     for (const compare::row& r : found.rows) {
         (r.type == "double" ? wrong_double : wrong_exact) += r.decisions.wrong();
@@ -272,7 +272,7 @@ TEST_CASE("every field in the JSON stands in its reference page") {
     REQUIRE(here.run(quick + "--json out.json").code == 0);
     const std::string page = content_of(GRAZE_JSON_PAGE);
     const auto json = nlohmann::json::parse(content_of(here / "out.json"));
-    const std::set<std::string> free_keys = {"kinds", "encounters", "histogram"}; // whose keys are data
+    const std::set<std::string> free_keys = {"kinds", "encounters", "histogram"}; // their keys are data
     std::set<std::string> keys;
     const auto walk = [&](const auto& self, const nlohmann::json& x) -> void {
         for (const auto& [key, value] : x.items()) {
@@ -294,8 +294,8 @@ TEST_CASE("every field in the JSON stands in its reference page") {
 
 TEST_CASE("a scene of triangles: every feature is met, exact types are right, and a pair's scene holds its triangle") {
     const bench here;
-    // Balls that fall onto a face, a slanted edge and a corner, and one that misses the half of the square it would
-    // hit.
+    // Balls that fall onto a face, a slanted edge and a corner, and one that misses the triangle but would hit the
+    // other half of the square.
     here.write("mesh.json", R"({"dimension": 3, "balls": [
         {"position": [1, 1, 3], "velocity": [0, 0, -1], "radius": 0.5},
         {"position": [2.25, 2.25, 3], "velocity": [0, 0, -1], "radius": 0.5},

@@ -1,4 +1,4 @@
-// The report as a browser shows it: on a telephone and on a desk, in light and in dark.
+// The report as a browser shows it: on a telephone and on a desktop, in light and in dark mode.
 #include "chromium.hpp"
 #include "report.hpp"
 #include "report_sample.hpp"
@@ -44,7 +44,7 @@ void check_pictures(const eyes::seen_page& page) {
     CHECK(count_of(page, "matrix") == 1);
     CHECK(count_of(page, "decisions") == 1);
     CHECK(count_of(page, "distribution") == 4); // one a group
-    CHECK(count_of(page, "hardness") == 6);     // three families have a hardness: of the time and of D
+    CHECK(count_of(page, "hardness") == 6);     // for the time and D of each of the three families with a hardness
     for (const auto& p : page.pictures) {
         CAPTURE(p.name);
         CHECK(p.width >= 300);
@@ -58,7 +58,7 @@ void check_pictures(const eyes::seen_page& page) {
     }
 }
 
-// With every <details> open.
+// The report with every <details> open.
 [[nodiscard]] std::string open_report() {
     std::string text = report();
     constexpr std::string_view closed = "<details>", open = "<details open>";
@@ -68,7 +68,7 @@ void check_pictures(const eyes::seen_page& page) {
     return text;
 }
 
-// Without its pictures, with something wide and something that it refers to.
+// The report without its pictures, with something too wide and a reference to something outside.
 [[nodiscard]] std::string broken_report() {
     std::string broken = report();
     for (std::size_t at = 0; (at = broken.find("<svg class=\"", at)) != std::string::npos;) {
@@ -133,7 +133,7 @@ TEST_CASE("a desk in the dark") {
 }
 
 TEST_CASE("a row leads to its pair's dot, the dot and the pair back to the row, and types can be switched off") {
-    // Each step says what it saw; hashchange comes after a click.
+    // Each step notes what it saw; hashchange comes after a click.
     const std::string seen = eyes::done_in(report(), 1200, R"(
       const step = () => new Promise(done => setTimeout(done, 50));
       const button = document.querySelector('tr[id^=row-] .opens'), row = button.closest('tr');
@@ -184,7 +184,7 @@ TEST_CASE("what is missing or too wide is noticed") {
     CHECK(page.references == 1);
     REQUIRE(count_of(page, "speed") == 1);
     for (const auto& p : page.pictures) {
-        const bool is_drawn_later = p.name == "dots-of-pairs"; // by the script, as soon as the page is there
+        const bool is_drawn_later = p.name == "dots-of-pairs"; // by the script, as soon as the page is loaded
         CHECK((p.drawn == 0) != is_drawn_later);
         CHECK((p.ink == 0) != is_drawn_later);
     }

@@ -17,7 +17,7 @@ struct family {
     const char* name;
     const char* hardness_name;
     int first, last;
-    double time_slope, discriminant_slope; // bits of condition a step of k
+    double time_slope, discriminant_slope; // bits of condition for each step of k
     bool lagrange_helps;
 };
 
@@ -60,7 +60,7 @@ double cost_of(const std::string& type) {
     return 100;
 }
 
-// The error of a value of condition 2^condition in a type, in units of the last place of a double.
+// The error of a value with the condition number 2^condition, in units of the last place of a double.
 double error_of(const type_information& t, double condition) {
     return t.is_exact ? 0 : std::exp2(52 - t.digits + condition);
 }
@@ -95,7 +95,7 @@ std::size_t number_of(const family& f, std::size_t i) {
     return static_cast<std::size_t>(&f - families.data()) * pairs_of_a_group + i + 1;
 }
 
-// The first pair is each row's worst, and the second the one that it decides wrongly.
+// The first pair is each row's worst; the second is decided wrongly.
 void add_pairs(row& r, const type_information& t, const family& f) {
     for (std::size_t i = 0; i < pairs_of_a_group; ++i) {
         const double error = error_of(t, static_cast<double>(i % 17) / 2);

@@ -41,7 +41,7 @@ struct scratch {
     ~scratch() { fs::remove_all(path); }
 };
 
-// PATH for the time of a test.
+// Sets PATH during a test.
 struct path_is {
     std::string before = std::getenv("PATH");
     explicit path_is(const std::string& path) { ::setenv("PATH", path.c_str(), 1); }
@@ -74,7 +74,7 @@ struct path_is {
     return contents(room.path / "report.html");
 }
 
-// Written once for all tests.
+// The report, written once for all tests.
 [[nodiscard]] const std::string& sample_report() {
     static const std::string html = report_of(sample_results());
     return html;
@@ -102,7 +102,7 @@ TEST_CASE("names from outside stay text") {
     CHECK(count(html, "<this>") == 0);
     CHECK(count(html, "<b>is</b>") == 0);
     CHECK(count(html, "<missing>") == 0);
-    // Neither gnuplot nor the exchange of marks took a part of the name for its own.
+    // Neither gnuplot nor the replacement of placeholders touched a part of the name.
     CHECK(count(html, "pool &lt;script&gt;alert(1)&lt;/script&gt; &amp; &#39;break&#39; &quot;~3~&quot;") > 0);
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("the page needs nothing else") {
     }
     CHECK(count(html, "href=\"") == count(html, "href=\"#"));
     CHECK(count(html, "~\"") == 0);
-    CHECK(count(html, "rgb(") == 0); // every colour is a variable, so that it has a dark form
+    CHECK(count(html, "rgb(") == 0); // every colour is a variable, so that dark mode can change it
 }
 
 TEST_CASE("every type and variant has a point with its name, and a line in a table") {
@@ -147,8 +147,8 @@ TEST_CASE("large groups are thinned, what is extreme stays, and the page says so
     g.shown.push_back(g.shown[0]);
     g.shown.back().number = 100777;
     const std::string data = dots_data(found, 3000), all = dots_data(found, 30000);
-    CHECK(data.find("112345,") != std::string::npos); // the worst of each line
-    CHECK(data.find("100777,") != std::string::npos); // what a row is wrong on
+    CHECK(data.find("112345,") != std::string::npos); // the worst of each line are kept
+    CHECK(data.find("100777,") != std::string::npos); // and so are pairs on which a row is wrong
     CHECK(data.size() < all.size() / 3);              // the rows are the same
     CHECK(dots_remark(found, 3000).find("of 20\u2009060") != std::string::npos);
     CHECK(dots_remark(found, 30000).empty());
@@ -171,7 +171,7 @@ TEST_CASE("without gnuplot the report says so and keeps its tables") {
     const path_is nothing(empty.path.string());
     const std::string without = report_of(found);
     CHECK(without.find("gnuplot is not installed") < without.find("<section"));
-    CHECK(count(without, "<svg class=") == count(without, "<svg class=\"dots-of-pairs\"")); // which a script draws
+    CHECK(count(without, "<svg class=") == count(without, "<svg class=\"dots-of-pairs\"")); // the script draws that one
     CHECK(count(without, "<table") == count(with, "<table"));
     CHECK(count(without, "<tr") == count(with, "<tr"));
     CHECK_THROWS_WITH_AS(compare::write_picture(found, (empty.path / "speed.svg").string()),

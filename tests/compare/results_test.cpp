@@ -1,4 +1,4 @@
-// Results as JSON and back, the conclusions from them, and the differences between two.
+// Results to JSON and back, the conclusions from them, and the differences between two results.
 #include "answer.hpp"
 #include "diff.hpp"
 #include "input_error.hpp"
@@ -166,7 +166,7 @@ namespace {
 
 std::string told(const change& c) { return c.row + ": " + c.what + " " + c.before + " -> " + c.after; }
 
-// Fifteen repeats about a time, in an order that is not theirs by size.
+// Fifteen repeats around a time, not sorted by size.
 std::vector<double> repeats_about(double time) {
     std::vector<double> all;
     for (int i = 0; i < 15; ++i) {
@@ -243,14 +243,14 @@ TEST_CASE("times differ where their repeats do, less what the whole machine does
     REQUIRE(d.slower.size() == 1);
     CHECK(told(d.slower[0]) == "g: double textbook/stable: time 10.0 ns -> 15.0 ns");
     CHECK(compare_results(after, before).faster.size() == 1);
-    // A slow repeat or two are noise, and so is 4%, however sure.
+    // One or two slow repeats are noise. So is a change of 4%, however significant.
     after = before;
     after.rows[0].repeated[3] *= 50, after.rows[0].repeated[9] *= 50;
     after.rows[1].repeated = repeats_about(1.04 * 20);
     after.rows[1].nanoseconds = 1.04 * 20;
     d = compare_results(before, after);
     CHECK(d.slower.empty());
-    // On a machine that is busy, every row takes longer, and one more than that.
+    // On a busy machine every row takes longer. One row has slowed down more than the rest.
     for (int copy = 0; copy < 2; ++copy) {
         for (int i = 0; i < 5; ++i) {
             row r = before.rows[static_cast<std::size_t>(i)];
@@ -271,7 +271,7 @@ TEST_CASE("times differ where their repeats do, less what the whole machine does
 }
 
 TEST_CASE("the Mann-Whitney test agrees with all the ways to choose") {
-    // Of two series of six, each way to divide the twelve values is as likely as any other.
+    // For two series of six values, every way to divide the twelve values is equally likely.
     const std::vector<double> values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     for (const unsigned mine : {0x03fU, 0x06fU, 0x0dbU, 0x555U, 0x2f8U}) { // six bits each
         std::vector<double> x, y;
@@ -326,7 +326,7 @@ TEST_CASE("a history tells every row, run by run") {
     third.rows[0].decisions.overlap = 2;
     const auto all = history_of({first, second, third});
     REQUIRE(all.size() == 5);
-    CHECK(all[0].variant == "lagrange"); // the last result's rows first
+    CHECK(all[0].variant == "lagrange"); // in the order of the last result's rows
     CHECK(all[0].digits[1] == doctest::Approx(40 / std::log2(10.0)));
     CHECK(all[0].wrong == std::vector<std::optional<std::size_t>>{0, 0, 2});
     CHECK(all[4].variant == "textbook");

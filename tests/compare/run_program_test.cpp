@@ -31,7 +31,7 @@ TEST_CASE("what a scene calls itself cannot write on the terminal") {
     CHECK(e.code == 0);
     CHECK(e.out.starts_with("\\x1b[31mred\\x07\\x0anext\\xe2\\x80\\xae: 1 collision"));
     const std::string scene = nlohmann::json::parse(content_of(here / "run.json"))["scene"];
-    CHECK(scene.starts_with("\x1b[31mred\a\n")); // as it is
+    CHECK(scene.starts_with("\x1b[31mred\a\n")); // not escaped
 }
 
 TEST_CASE("the photon: what every type keeps of it") {
@@ -70,7 +70,7 @@ TEST_CASE("the photon: what every type keeps of it") {
     CHECK(digits_of("double") == doctest::Approx(5).epsilon(0.3));
     CHECK(digits_of("cpp_bin_float_50") == doctest::Approx(40).epsilon(0.1));
     CHECK(digits_of("cpp_bin_float_100") == doctest::Approx(90).epsilon(0.1));
-    CHECK(all["types"].size() >= 7); // those of libquadmath and QD may be missing
+    CHECK(all["types"].size() >= 7); // libquadmath's and QD's may be missing
 }
 
 TEST_CASE("a thousand digits") {
@@ -131,7 +131,7 @@ TEST_CASE("a run that cannot be finished keeps what it has") {
 
 namespace {
 
-// Starts a run, interrupts it as soon as it takes notice of that and some time has passed, and waits for its end.
+// Starts a run, interrupts it `later` after it has begun to note interruptions, and waits for its end.
 ending interrupted(const bench& here, const std::string& arguments, std::chrono::milliseconds later) {
     const std::string command =
         "cd '" + (here / "").string() + "' && exec '" GRAZE_COMPARE "' " + arguments + " >out 2>err";
@@ -141,7 +141,7 @@ ending interrupted(const bench& here, const std::string& arguments, std::chrono:
         execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
         _exit(127);
     }
-    const auto takes_notice = [&] { // by the mask of signals that it catches
+    const auto takes_notice = [&] { // its mask of caught signals tells
         const std::string status = content_of("/proc/" + std::to_string(program) + "/status");
         const auto mask = status.find("SigCgt:");
         return holds(status, "graze-compare") && mask != std::string::npos &&
@@ -160,7 +160,7 @@ ending interrupted(const bench& here, const std::string& arguments, std::chrono:
 } // namespace
 
 TEST_CASE("an interrupted run says what was not run, and finds no fault with it") {
-    // At once, which is within the proof, and when the first type is being timed: whatever it hits.
+    // At once, which is during the proof, and later, while the first type is timed. The answer is right in both cases.
     for (const int later : {0, 500}) {
         const bench here;
         const ending e =
@@ -175,7 +175,7 @@ TEST_CASE("an interrupted run says what was not run, and finds no fault with it"
         CHECK(holds(e.out, "Interrupted"));
         const auto all = nlohmann::json::parse(content_of(here / "out.json"));
         CHECK(all["interrupted"] == true);
-        CHECK(all["types"].size() >= 2); // those that were not run too
+        CHECK(all["types"].size() >= 2); // including those that were not run
         for (const auto& t : all["types"]) {
             CHECK(t["first_wrong"].is_null());
             CHECK(!t["type"].get<std::string>().empty());

@@ -33,7 +33,7 @@ std::string message_for_file(const std::string& path) {
     return "no error";
 }
 
-// Two balls in space, with replacements in their text.
+// A scene of two balls in space, with replacements in its text.
 struct scene_with {
     std::string position = "[0, 0, 0]", velocity = "[1, 0, 0]", radius = "1", more = "";
     std::string top = "";
@@ -139,7 +139,7 @@ TEST_CASE("broken JSON: line and column") {
     CHECK(message_for("{\n  \"dimension\": 2,\n  \"balls\": [,]}").substr(0, 36) ==
           "s.json: line 3, column 13: syntax er");
     CHECK(message_for("{\"name\": \"\xc3\xa4\xc3\xa4\", x}").substr(0, 26) == "s.json: line 1, column 16:");
-    CHECK(message_for("{} {}").substr(0, 25) == "s.json: line 1, column 4:"); // something after the end
+    CHECK(message_for("{} {}").substr(0, 25) == "s.json: line 1, column 4:"); // something follows the end
     CHECK(message_for(std::string(scene_with{}) + "x").find(": line 1, column ") != std::string::npos);
     CHECK(message_for(scene_with{.radius = "NaN"}).find("syntax error") != std::string::npos);
     CHECK(message_for(scene_with{.radius = "Infinity"}).find("syntax error") != std::string::npos);

@@ -16,7 +16,7 @@ using graze::encounter;
 
 namespace {
 
-// Two balls of mass 1 and radius 1 in the plane, 10 apart, one at speed 2 towards the other, at rest.
+// Two balls of mass 1 and radius 1 in the plane, 10 apart; one flies at speed 2 towards the other, which is at rest.
 truth head_on() {
     problem<2> pair;
     pair.a = {{{{exact(0), exact(0)}}, {{exact(2), exact(0)}}, exact(1), exact(1)}, exact(1)};
@@ -75,15 +75,15 @@ TEST_CASE("errors are those of the values") {
     const truth t = head_on(); // τ = 4, velocities 0 and 2 after
     answer a = right_answer(t);
     a.time = wide(std::nextafter(4.0, 5.0));
-    a.velocities[0] = ldexp(wide(1), -52); // a should stand still: half a last place of 2
+    a.velocities[0] = ldexp(wide(1), -52); // a should stand still; this is half a last place of 2
     const row r = scored(a, t);
     CHECK(r.error(quantity::time).largest == 1.0);
     CHECK(r.error(quantity::time).correctly_rounded == 0);
     CHECK(r.error(quantity::velocity).largest == 0.5);
     CHECK(r.error(quantity::velocity).correctly_rounded == 0);
     CHECK(r.error(quantity::position).exact == 1);
-    CHECK(r.momentum.largest == 0x1p-53); // 2^-52 gained of 2
-    CHECK(r.energy.largest == 0x1p-106);  // 2^-104 gained of 4
+    CHECK(r.momentum.largest == 0x1p-53); // gained 2^-52 of 2
+    CHECK(r.energy.largest == 0x1p-106);  // gained 2^-104 of 4
     REQUIRE(r.cells.size() == 1);
     CHECK(r.cells[0].time_largest == 1.0);
 }
@@ -97,7 +97,7 @@ TEST_CASE("a wrong decision is counted once, and its values are not") {
     const row r = scored(deciding(encounter::miss), t);
     CHECK(r.decisions.wrong() == 1);
     CHECK(r.error(quantity::time).count == 0);
-    CHECK(r.error(quantity::discriminant).count == 1); // D is there whatever it led to
+    CHECK(r.error(quantity::discriminant).count == 1); // D counts whatever was decided from it
     CHECK(r.cells[0].wrong == 1);
 }
 
@@ -135,8 +135,8 @@ TEST_CASE("what is not a number is an infinite error") {
 }
 
 TEST_CASE("the distance from each border, where geometry tells it") {
-    // Head on, R = 2, 10 apart: f = |Δx|² - R² = 96, L² = 104, |Δu| = 2, h = -20; they meet centre on centre, least f
-    // is -4.
+    // Head-on, R = 2, 10 apart: f = |Δx|² - R² = 96, L² = 104, |Δu| = 2, h = -20. The centres meet, so the least f is
+    // -4.
     border_distances d = head_on().borders;
     CHECK(d.receding == doctest::Approx(20 / (std::sqrt(104.0) * 2)));
     CHECK(d.overlapping == doctest::Approx(96.0 / 104));
@@ -144,14 +144,14 @@ TEST_CASE("the distance from each border, where geometry tells it") {
     CHECK(nearest_border(encounter::hit, d) == d.hitting);
     CHECK(nearest_border(encounter::overlap, d) == doctest::Approx(96.0 / 104));
     CHECK(nearest_border(encounter::recede, d) == d.receding);
-    // A graze is on its border, and one that misses by 2^-40 of R is beside it by 2 R² 2^-40/L², about.
+    // A graze is on its border. A pair that misses by 2^-40 of R is about 2 R² 2^-40/L² away from it.
     problem<2> pair;
     pair.a = {{{{exact(0), exact(2)}}, {{exact(2), exact(0)}}, exact(1), exact(1)}, exact(1)};
     pair.b = {{{{exact(10), exact(0)}}, {{exact(0), exact(0)}}, exact(1), exact(1)}, exact(1)};
     CHECK(border_distances_of(pair).hitting == 0);
     pair.a.shape.position[1] += exact(2) / exact(exact_integer(1) << 40U);
     CHECK(border_distances_of(pair).hitting == doctest::Approx(8 * std::exp2(-40) / 108));
-    // A point flies straight through a segment of length 8, 1 from its end; from a height of 3, with L² = 9 + 1 + 64.
+    // A point flies straight through a segment of length 8, 1 from its end; it starts at height 3, so L² = 9 + 1 + 64.
     pair.kind = pair_kind::ball_wall;
     pair.a = {{{{exact(1), exact(3)}}, {{exact(0), exact(-1)}}, exact(0), exact(1)}, exact(1)};
     pair.wall = {{{exact(0), exact(0)}}, {{{{exact(8), exact(0)}}}}};
@@ -159,10 +159,10 @@ TEST_CASE("the distance from each border, where geometry tells it") {
     CHECK(d.hitting == doctest::Approx(1.0 / 74));
     CHECK(d.overlapping == doctest::Approx(9.0 / 74));
     CHECK(d.receding == doctest::Approx(3 / std::sqrt(74.0)));
-    // Beside the end by 2: least f is 4.
+    // It passes the end at a distance of 2: the least f is 4.
     pair.a.shape.position[0] = -2;
     CHECK(border_distances_of(pair).hitting == doctest::Approx(4.0 / 77));
-    // In space, over the middle of a square of side 2 whose rim is 1 away; and beside its corner by (3, 4).
+    // In space: over the middle of a square of side 2, whose rim is 1 away, and beside its corner by (3, 4).
     problem<3> space;
     space.kind = pair_kind::ball_wall;
     space.a = {{{{exact(1), exact(1), exact(5)}}, {{exact(0), exact(0), exact(-1)}}, exact(0), exact(1)}, exact(1)};

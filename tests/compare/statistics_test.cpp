@@ -31,12 +31,12 @@ TEST_CASE("a quantile is one of the values") {
 
 TEST_CASE("an error is counted in the exact value's last place") {
     error_sample sample;
-    CHECK(sample.add(power(-52), wide(1), true) == 1.0);    // of 1 the last place is 2^-52
-    CHECK(sample.add(power(-52), wide(1.75), true) == 1.0); // as of all in [1, 2)
-    CHECK(sample.add(power(-52), wide(2), true) == 0.5);    // and twice as large from 2 on
+    CHECK(sample.add(power(-52), wide(1), true) == 1.0);    // the last place of 1 is 2^-52
+    CHECK(sample.add(power(-52), wide(1.75), true) == 1.0); // the same for all of [1, 2)
+    CHECK(sample.add(power(-52), wide(2), true) == 0.5);    // and twice as much from 2 on
     CHECK(sample.add(power(-54), wide(0.75), true) == 0.5); // half as large below 1
     CHECK(sample.add(wide(0), wide(3), true) == 0.0);
-    CHECK(sample.add(power(-2000), power(-1900), true) == 0x1p-48); // the range of double has no part in it
+    CHECK(sample.add(power(-2000), power(-1900), true) == 0x1p-48); // the range of double does not matter
     const error_statistics s = sample.summary();
     CHECK(s.count == 6);
     CHECK(s.exact == 1);
@@ -44,7 +44,7 @@ TEST_CASE("an error is counted in the exact value's last place") {
     CHECK(s.largest == 1.0);
     CHECK(s.median == 0.5);
     CHECK(s.histogram == std::map<int, std::size_t>{{-48, 1}, {-1, 2}, {0, 2}});
-    CHECK(s.fewest_bits == doctest::Approx(52.0)); // the first: 2^-52 of 1
+    CHECK(s.fewest_bits == doctest::Approx(52.0)); // the first one: 2^-52 of 1
     CHECK(s.quantiles.front() == 0.0);
     CHECK(s.quantiles.back() == 1.0);
 }

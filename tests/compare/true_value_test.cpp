@@ -1,4 +1,4 @@
-// Exact values p + q√d: their nearest doubles, their distance from computed ones, and their equality.
+// Exact values p + q√d: their nearest doubles, their distances from computed values, and their equality.
 #include "answer_reader.hpp"
 #include "reader.hpp"
 #include "rounding.hpp"
@@ -69,7 +69,7 @@ TEST_CASE("ties and what lies next to them round as they must") {
     CHECK(value_of(real(middle)).nearest() == 1.0);
     CHECK(value_of(real(middle + tiny)).nearest() == 1.0 + 0x1p-52);
     CHECK(value_of(real(middle - tiny)).nearest() == 1.0);
-    // Irrational and nearer to the middle than any enclosure: m ± 2^-2000 √2.
+    // An irrational number, nearer to the middle than any enclosure: m ± 2^-2000 √2.
     CHECK(value_of(real(middle, tiny, 2)).nearest() == 1.0 + 0x1p-52);
     CHECK(value_of(real(middle, -tiny, 2)).nearest() == 1.0);
     CHECK(value_of(real(-middle, -tiny, 2)).nearest() == -1.0 - 0x1p-52);
@@ -93,7 +93,7 @@ TEST_CASE("distances") {
     CHECK(*distance(exact_real(exact(exact(1) / 3)), third) == 0);
     CHECK(*distance(real(0, 2, exact(1) / 2), root) == 0);
     CHECK(static_cast<double>(*distance(wide(0), root)) == std::sqrt(2.0));
-    CHECK(*distance(root.value(), root) > 0); // as near as can be, but no rational number is √2
+    CHECK(*distance(root.value(), root) > 0); // as near as possible, but no rational number is √2
     CHECK(*distance(interval{wide(0.25), wide(1.5)}, half) == 1);
     CHECK_FALSE(distance(not_finite{}, half));
     CHECK(encloses(interval{wide(0.5), wide(0.5)}, half));

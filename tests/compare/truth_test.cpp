@@ -1,4 +1,4 @@
-// The comparison's truth against the tests' own oracle, and its condition numbers against ones found by hand.
+// The comparison's truth against the tests' own oracle, and its condition numbers against those worked out by hand.
 #include "families.hpp"
 #include "group.hpp"
 #include "pairs.hpp"
@@ -31,7 +31,7 @@ void check_family(const families::family& family) {
     }
 }
 
-// The half at its corner of a family's wall.
+// Meets the triangle that is the half, at the corner, of a family's wall.
 oracle::answer meet_triangle(const families::pair_of_doubles<3>& pair) {
     return oracle::meet(pair.a, graze::triangle<double>{pair.wall.corner, pair.wall.edge});
 }

@@ -26,7 +26,7 @@ struct ending {
     std::string out, err;
 };
 
-// An empty directory for the time of a test, in which programs run.
+// An empty directory during a test, in which programs run.
 class bench {
   public:
     bench() {
@@ -63,8 +63,8 @@ class bench {
 
 inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// Lines "arguments, a tab, what is said of them" of a list in tests/compare/bad, whose files are in the bench: each
-// ends with 2, prints nothing, and says it in one line. Those of the command run alone, or all others.
+// Runs each line "arguments, a tab, message" of a list in tests/compare/bad, whose files are in the bench: the program
+// ends with 2, prints nothing, and reports that in one line. of_run: the lines of the command run, else all others.
 inline void check_bad_lines(const bench& here, const std::string& list, bool of_run) {
     std::ifstream in(here / list);
     const std::size_t before = here.files();
