@@ -1,5 +1,5 @@
-// A hash of what the library says of many pairs, for units that are compiled with different flags: plain ones, and
-// those that integers decide.
+// A hash of the library's answers about many pairs, for units that are compiled with different flags: ordinary pairs,
+// and pairs that integers decide.
 #pragma once
 
 #include <graze/graze.hpp>
@@ -25,7 +25,8 @@ class generator {
     std::uint64_t state_;
 };
 
-// Numbers of a family: small integers, full significands of like exponents, of exponents up to 2^spread apart.
+// The numbers of a family: small integers, full significands with similar exponents, or with exponents up to 2^spread
+// apart.
 template <class T>
 struct numbers {
     generator& next;

@@ -1,5 +1,5 @@
-// Whether all units of this program, each compiled with flags of its own, say the same of the same pairs. UNITS is a
-// list of their functions, as they are called, and as they are declared.
+// Whether all units of this program, each compiled with its own flags, give the same answers about the same pairs.
+// UNITS lists their functions: as calls, and as declarations.
 #include <cstdint>
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-// All answers of the library for a pair that collides, compiled once for all tests of contacts.
+// All answers of the library about a pair that collides, compiled once for all tests of contacts.
 #pragma once
 
 #include <graze/contact/contact.hpp>
@@ -12,7 +12,7 @@
 
 namespace answers {
 
-// collide's contact, which stage gave it, and time_of_impact's time.
+// collide's contact, the stage that gave it, and time_of_impact's time.
 template <int N, class T, class Contact>
 struct answer {
     std::optional<Contact> contact;

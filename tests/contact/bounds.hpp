@@ -1,4 +1,4 @@
-// Bounded components of a contact against the oracle's.
+// A contact's bounded components, compared with the oracle's.
 #pragma once
 
 #include "../oracle/contact.hpp"
@@ -13,7 +13,7 @@ namespace bounds {
 
 inline constexpr std::size_t components = 16;
 
-// A contact's components in the order in which parts number them; of a plane the third ones are not used.
+// A contact's components in the order in which they are numbered; in the plane the third ones are not used.
 template <int N>
 std::array<oracle::surd, components> listed(const oracle::ball_contact<N>& c) {
     std::array<oracle::surd, components> list;
@@ -38,7 +38,7 @@ template <class V>
 bool holds(const graze::detail::bounded<V>& x, int i, const oracle::surd& truth) {
     const double high = lane(x.high, i), low = lane(x.low, i), error = lane(x.error, i);
     if (!std::isfinite(high) || !std::isfinite(low) || !std::isfinite(error)) {
-        return true; // bounds nothing, and is never certain
+        return true; // an infinite bound, which is never certain
     }
     const mpq_class middle = exact(high) + exact(low);
     return oracle::compare(truth, mpq_class(middle + exact(error))) <= 0 &&

@@ -81,7 +81,7 @@ void check(const largest& found) {
     CHECK(found.contacts > 500);
     CHECK(found.momentum <= 1);
     CHECK(found.energy <= 1);
-    CHECK(found.momentum > mpq_class(1, 2)); // so that the bounds are no empty words
+    CHECK(found.momentum > mpq_class(1, 2)); // the bounds are nearly reached
     CHECK(found.energy > mpq_class(1, 4));
     MESSAGE(found.contacts << " contacts: momentum " << found.momentum.get_d() << ", energy " << found.energy.get_d()
                            << " of the bound at most");

@@ -1,5 +1,5 @@
-// The fast path of a contact against the oracle: no component is further from the exact one than its bound, none that
-// is certain is rounded wrongly, whatever family the pair is of and however bad the first time was.
+// The fast path of a contact, compared with the oracle: no component is farther from the exact one than its bound, and
+// none that is certain is rounded wrongly, for pairs of every family and however bad the first time was.
 #include "../oracle/rounding.hpp"
 #include "bounds.hpp"
 
@@ -104,7 +104,7 @@ void try_families(std::uint64_t count) {
         CHECK(s.wrong_values == 0);
         if (f.name == "generic" || f.name == "masses") {
             CHECK(s.pairs > 10);
-            CHECK(s.answered > s.pairs / 3); // the others' times were too rough
+            CHECK(s.answered > s.pairs / 3); // for the others the time was too rough
         }
         MESSAGE(f.name << ": " << s.pairs << " hits, " << s.answered << " bounded, " << s.certain << " certain");
     }

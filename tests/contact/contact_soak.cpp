@@ -35,8 +35,8 @@ struct result {
     std::vector<std::string> complaints;
 };
 
-// `count` contacts a row in blocks, each of which draws from numbers of its own: the answer does not depend on the
-// threads.
+// `count` contacts for each row, in blocks. Each block draws its own random numbers, so the answer does not depend on
+// the threads.
 result run_all(soak::drawn what, std::uint64_t seed, std::uint64_t count, unsigned threads) {
     result total;
     std::mutex guard;

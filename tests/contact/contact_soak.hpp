@@ -27,15 +27,15 @@ struct tally {
     }
 };
 
-// A pair's numbers rounded to T. Not inlined: where two of them are converted to float and back, g++ 12 may make that
-// one step on a vector that does nothing (-O3, or -O2 with -ftree-slp-vectorize).
+// A pair's numbers rounded to T. Not inlined: if two of them are converted to float and back, g++ 12 may replace that
+// by a step on a vector that does nothing (-O3, or -O2 with -ftree-slp-vectorize).
 template <class T>
 [[gnu::noinline]] T to_number(double x) {
     return static_cast<T>(x);
 }
 
-// The power of two by which numbers of one kind are scaled for T: what is far too large or too small for it comes to
-// the end of its range, the smallest bit to that of the subnormal numbers.
+// The power of two that scales numbers of one kind for T: numbers far too large or too small are moved to the ends of
+// its range, the smallest bit to that of the subnormal numbers.
 template <class T>
 class fitting {
   public:
@@ -105,7 +105,7 @@ pair_in<T, N> to(const families::pair_of_doubles<N>& pair) {
     return r;
 }
 
-// Whether the library would take the shape: rounding to float makes infinities, zeros and parallel edges.
+// Whether the library accepts the shape: rounding to float can make infinities, zeros and parallel edges.
 template <int N, class T>
 bool is_finite(const graze::vec<N, T>& x) {
     bool finite = true;
@@ -163,7 +163,7 @@ void judge_pair(tally& seen, const A& a, const B& b, std::string& wrong) {
     seen.exact += collides && found.given_by == graze::stage::exact ? 1U : 0U;
 }
 
-// Draws pairs of soak::families_drawn[family] from number `first` on until `count` of them collide or 16 count have
+// Draws pairs of soak::families_drawn[family], from number `first` on, until `count` of them collide or 16 count have
 // been drawn.
 template <int N, class T>
 tally run(soak::drawn what, std::size_t family, std::uint64_t seed, std::uint64_t first, std::uint64_t count,

@@ -16,7 +16,7 @@ namespace {
 using environments::rounding;
 using pair = flight_families::pair<3>;
 
-// Drawn before the state is changed; some with instants, or velocities and instants, at the ends of the range.
+// Drawn before the state is changed. Some have epochs, or epochs and velocities, at the ends of the range.
 std::vector<pair> drawn() {
     std::vector<pair> all;
     for (std::uint64_t index = 0; index < 400; ++index) {

@@ -1,5 +1,5 @@
-// Contacts of flights, every component judged at the boundaries of its rounding by an oracle that moves them as
-// rationals.
+// Contacts of flights: every component is judged at the boundaries of its rounding, by an oracle that moves the flights
+// as rationals.
 #include "../predicate/flight_answers.hpp"
 #include "../predicate/flight_families.hpp"
 #include "judge.hpp"
@@ -129,7 +129,7 @@ TEST_CASE("Contacts of flights are correctly rounded") {
         }
         CAPTURE(which);
         CHECK(seen.contacts > 10);
-        if (which == 2) { // full doubles
+        if (which == 2) { // doubles with all their bits
             CHECK(seen.by_doubles >= seen.hits);
         }
         MESSAGE(which << ": " << seen.contacts << " contacts, " << seen.by_doubles << " by doubles alone, " << seen.ties

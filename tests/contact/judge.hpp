@@ -13,12 +13,12 @@
 
 namespace judge {
 
-// What is wrong with an answer: the names of components, empty when all are right.
+// What is wrong with an answer: the names of components; empty if all are right.
 struct verdict {
     oracle::encounter what = oracle::encounter::recede;
     unsigned components = 0;
     std::string wrong;
-    std::string tied; // the components that are exactly in the middle between two numbers
+    std::string tied; // the components exactly in the middle between two numbers
 };
 
 template <class T>

@@ -1,5 +1,4 @@
-// Properties of every contact, on pairs of every family: the laws of symmetry, the values that do not change, bad
-// input.
+// Properties of every contact, on pairs of every family: laws of symmetry, values that do not change, bad input.
 #include "../predicate/transform.hpp"
 #include "answers.hpp"
 
@@ -35,7 +34,7 @@ void each_pair(F f) {
     }
 }
 
-// A contact whose vectors have been replaced by length(v), velocity(v) and normal(v), by kind.
+// A contact whose vectors are replaced by length(v), velocity(v) or normal(v), depending on what they are.
 template <int N, class L, class V, class E>
 graze::contact<N> apply(graze::contact<N> c, L length, V velocity, E normal) {
     c.position_a = length(c.position_a);
@@ -54,7 +53,7 @@ graze::wall_contact<N> apply(graze::wall_contact<N> c, L length, V velocity, E n
     return c;
 }
 
-// Of every number, times 2^power[kind] for lengths, velocities and normals, whether it and the result are normal or 0.
+// Whether all numbers, times 2^power[kind] for lengths, velocities and normals, are normal or 0 before and after.
 template <int N>
 auto scaling(int power, bool& exact) {
     return [power, &exact](const graze::vec<N, double>& x) {
@@ -181,7 +180,7 @@ TEST_CASE("equal masses head-on exchange their velocities") {
 
 TEST_CASE("what does not change keeps its bits") {
     const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    // A graze; a ball that nothing moves.
+    // A graze, and a ball of infinite mass.
     const auto grazed = answers::of(ball{{0, 0}, {1, -0.0}, 1}, ball{{9, 2}, {-0.1, 0.0}, 1}).contact;
     REQUIRE(grazed.has_value());
     CHECK(bits(grazed->velocity_a[1]) == bits(-0.0));
@@ -252,7 +251,7 @@ TEST_CASE("bad masses are named") {
     }
     CHECK(thrown_by(with_mass(infinity), with_mass(infinity)) == "ball b: mass is infinite, as that of ball a is");
     CHECK(thrown_by(with_mass(0x1p-1074), good).empty());
-    // A plane asks no mass.
+    // Against a plane the mass is not used.
     CHECK(thrown_by(with_mass(nan), graze::plane<2>{{0, 0}, {1, 0}}).empty());
     CHECK(thrown_by(ball{{0, 0}, {1, 0}, -1}, good) == "ball a: radius is negative");
 }

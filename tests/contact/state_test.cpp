@@ -51,7 +51,7 @@ class bits {
 struct seen {
     bits values;
     int contacts = 0;
-    int by_doubles = 0; // without integers
+    int by_doubles = 0; // answers without integers
 };
 
 template <int N, class T, class X, class Y>
@@ -114,8 +114,8 @@ TEST_CASE("contacts do not depend on the state of the floating-point unit") {
     }
 }
 
-// τ = x - y - R with a subnormal y, just before the middle between two floats: where y is read as 0 it is the later
-// one.
+// τ = x - y - R with a subnormal y, just below the middle between two floats. If y were read as 0, τ would round to the
+// later one.
 TEST_CASE("a subnormal float takes part in a time where subnormals count as zero") {
     const graze::ball<2, float> a{{0x1p-90F + 0x1p-103F, 0}, {-1, 0}, 0x1p-90F, 1};
     const graze::ball<2, float> b{{0x1p-128F + 0x1p-149F, 0}, {0, 0}, 0, 1};

@@ -1,5 +1,5 @@
-// Components that lie exactly in the middle between two numbers, built on purpose, each in another way; in doubles and
-// floats. The oracle tells that they are ties, and to which side they go.
+// Components exactly in the middle between two numbers, each constructed in a different way, in doubles and floats. The
+// oracle confirms that they are ties, and to which side they round.
 #include "answers.hpp"
 #include "judge.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 template <class T>
 constexpr T infinity = std::numeric_limits<T>::infinity();
 
-// Half of the last place of x > 0: x plus it is a tie.
+// Half of the last place of x > 0. x plus it is a tie.
 template <class T>
 T half(T x) {
     return (std::nextafter(x, infinity<T>) - x) / 2;
@@ -40,7 +40,7 @@ struct fixture {
     std::string name;
     int ways = 0;
 
-    // x against y is rightly rounded, and the component is a tie.
+    // x is y correctly rounded, and y is a tie.
     template <class X, class Y>
     void tie(const X& x, const Y& y) {
         const auto found = answers::of(x, y);
@@ -63,8 +63,8 @@ void times() {
     const T u = f.u, h = f.h, least = F::least;
     const ball2 origin{{0, 0}, {0, 0}, 0};
     f.tie(ball2{{1 + u, 0}, {-1, 0}, h}, origin);                          // 1 + h
-    f.tie(ball2{{1 + 2 * u, 0}, {-1, 0}, h}, origin);                      // 1 + 3h, to the other side
-    f.tie(ball2{{1 + u, 0}, {0, 0}, h / 2}, ball2{{0, 0}, {1, 0}, h / 2}); // radii shared, b moves
+    f.tie(ball2{{1 + 2 * u, 0}, {-1, 0}, h}, origin);                      // 1 + 3h, which rounds to the other side
+    f.tie(ball2{{1 + u, 0}, {0, 0}, h / 2}, ball2{{0, 0}, {1, 0}, h / 2}); // radii on both balls; b moves
     f.tie(ball2{{3 + 2 * u, 0}, {-3, 0}, h}, origin);                      // divided by 3
     f.tie(ball2{{3 + 6 * u, 4 + 8 * u}, {-3, -4}, 5 * h}, origin);         // along (3, 4)
     f.tie(ball2{{5, 3}, {-1, 0}, 5}, ball2{{-h, 0}, {0, 0}, 0});           // beside the line of centres
@@ -90,7 +90,7 @@ void positions() {
     using ball2 = typename F::ball2;
     using ball3 = typename F::ball3;
     const T u = f.u, h = f.h, least = F::least;
-    // Along x the balls meet at t = distance - 2; along y both fly alike.
+    // Along x the balls meet at t = distance - 2. Along y both fly alike.
     const auto meet = [&](T distance, T y, T speed) {
         f.tie(ball2{{distance, y}, {-1, speed}, 1}, ball2{{0, y}, {0, speed}, 1});
     };
@@ -110,13 +110,13 @@ void positions() {
     f.tie(ball2{{5, 0}, {-1, 0}, 5}, typename F::wall2{{-u, -3}, {{{{0, -9}}}}});
     f.tie(ball3{{3, 1, 1}, {-1, 0, h}, 2}, typename F::wall3{{0, 0, 0}, {{{{0, 3, 0}}, {{0, 1, 3}}}}});
     f.tie(ball3{{5, 0, 1}, {-1, 0, h}, 5}, typename F::wall3{{0, -3, 0}, {{{{0, -9, 0}}, {{0, 0, 9}}}}});
-    f.name = "point"; // the touched point, of a face and of an edge
+    f.name = "point"; // the touched point on a face and on an edge
     f.tie(ball3{{3, 1, 1}, {-1, 0, h}, 2}, typename F::wall3{{0, 0, 0}, {{{{0, 3, 0}}, {{0, 1, 3}}}}});
     f.tie(ball3{{5, 0, 1}, {-1, 0, h}, 5}, typename F::wall3{{0, -3, 0}, {{{{0, -9, 0}}, {{0, 0, 9}}}}});
     CHECK(f.ways >= 10);
 }
 
-// A component of the normal across the direction of flight is a quotient of lengths, the others are irrational.
+// A normal's component across the direction of flight is a quotient of lengths; the others are irrational.
 template <class T>
 void normals() {
     fixture<T> f;
@@ -125,7 +125,7 @@ void normals() {
     using ball2 = typename F::ball2;
     using ball3 = typename F::ball3;
     const T least = F::least, q = half(T(0.5));
-    // The centres are y and y + below apart across x.
+    // Across x, the centres are y and y + below apart.
     const auto pass = [&](T y, T below, T radius, T other = 0) {
         f.tie(ball2{{9, y}, {-1, 0}, radius}, ball2{{0, -below}, {0, 0}, other});
     };
@@ -165,8 +165,8 @@ void velocities() {
     head_on(3 * least, 0, 1, 3);
     f.tie(ball3{{0, 0, 9}, {5, 7, -1 - u}, 1, 3}, ball3{{0, 0, 0}, {5, 7, -1}, 1, 9}); // along z
     f.name = "velocity_a";
-    f.tie(ball2{{0, 0}, {1, 0}, 1, 1}, ball2{{9, 0}, {-h / 2, 0}, 1, infinity<T>}); // from what nothing moves
-    // With the normal (3, 4)/5: in flight, inside each other, touching.
+    f.tie(ball2{{0, 0}, {1, 0}, 1, 1}, ball2{{9, 0}, {-h / 2, 0}, 1, infinity<T>}); // off a ball of infinite mass
+    // With the normal (3, 4)/5: in flight, overlapping, touching.
     const T y = half(T(12));
     f.tie(ball2{{10, 4}, {-25, y}, 5}, ball2{{0, 0}, {0, y}, 0});
     f.tie(ball2{{3, 4}, {-25, y}, 10}, ball2{{0, 0}, {0, y}, 0});

@@ -1,5 +1,5 @@
-// The fast path of contacts with planes and walls against the integers: what it is certain of are the same bits, and it
-// is certain of nearly everything where nothing is degenerate.
+// The fast path of contacts with planes and walls, compared with the integers: where it is certain, the bits are the
+// same, and it is certain of nearly everything that is not degenerate.
 #include "../soak/soak.hpp"
 
 #include <graze/collide.hpp>
@@ -29,7 +29,7 @@ std::vector<T> listed(const graze::wall_contact<N, T>& c) {
 
 template <class P, int N, class T, class Shape>
 void look(P pair, seen& s, const graze::wall_encounter& found, const graze::ball<N, T>& b, const Shape& shape,
-          double near) { // near: the time in doubles, 0 if it is not known
+          double near) { // near: the time in doubles; 0 if unknown
     if (!graze::is_collision(found.what)) {
         return;
     }
@@ -52,7 +52,7 @@ void look(P pair, seen& s, const graze::wall_encounter& found, const graze::ball
     s.certain += open_components == 0 ? 1 : 0;
 }
 
-// With the first step from the time in doubles, where that is known, and without.
+// With a first step from the time in doubles, if that is known, and without.
 template <class P, int N, class T, class Shape>
 void look(P pair, seen& s, const Shape& shape, const graze::ball<N, T>& b) {
     graze::stage by{};
@@ -89,7 +89,7 @@ seen look_at(const families::family& family, std::uint64_t count) {
     return s;
 }
 
-// Of which integers are needed for next to nothing.
+// Whether integers are hardly ever needed for this family.
 bool is_plain(const families::family& family) {
     return family.name == "edges_and_corners" || family.name == "borders" || family.name == "two_walls" ||
            family.name == "generic_wall";

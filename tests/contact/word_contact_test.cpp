@@ -1,5 +1,5 @@
-// Contacts in double words against the oracle: what they decide is right, no component is further from the exact one
-// than its bound, with fused products and without, and no time further than its own.
+// Contacts in double words, compared with the oracle: what they decide is right, and no component or time is farther
+// from the exact one than its bound, with fused products and without.
 #include "bounds.hpp"
 
 #include <graze/contact/collide_balls.hpp>
@@ -13,7 +13,7 @@ using namespace bounds;
 
 namespace {
 
-// Keeps what is bounded, by its number, and in which units.
+// Keeps the bounded components, by number, and their units.
 struct kept {
     graze::detail::bounded<double> found[16];
     graze::detail::component_set known = 0;
@@ -30,7 +30,7 @@ struct kept {
     }
 };
 
-// In words, with fused products or without, scaled where that is needed.
+// In words, with or without fused products, scaled if necessary.
 template <bool Fused, class B>
 kept in_words(const B& a, const B& b, double mass_a, double mass_b) {
     kept k;
@@ -75,7 +75,7 @@ mpq_class power_of_two(int power) {
 }
 bool holds(const graze::detail::bounded<double>& x, int scale, const oracle::surd& truth) {
     if (!std::isfinite(x.high) || !std::isfinite(x.low) || !std::isfinite(x.error)) {
-        return true; // bounds nothing, and is never certain
+        return true; // an infinite bound, which is never certain
     }
     const mpq_class unit = power_of_two(scale);
     const mpq_class middle = (exact(x.high) + exact(x.low)) * unit, off = exact(x.error) * unit;
@@ -166,7 +166,7 @@ TEST_CASE("bounds hold in double words") {
     }
 }
 
-// Balls that slide past each other, nearly in contact: terms of h cancel, and so do those of c.
+// Balls that slide past each other, nearly touching: the terms of h cancel, and so do those of c.
 TEST_CASE("bounds hold where all coefficients cancel") {
     seen s;
     families::random r(5, 0);
@@ -187,7 +187,7 @@ TEST_CASE("bounds hold where all coefficients cancel") {
     CHECK(s.meet > 1000);
 }
 
-// Lagrange's D of a motion in words whose centres pass each other at R (1 + gap), against rational numbers.
+// Lagrange's D in words of a motion whose centres pass each other at R (1 + gap), compared with rational numbers.
 template <int N>
 void look_at_discriminant(families::random& r, int& narrow) {
     const auto unit = [&] { return std::ldexp(static_cast<double>(r.in(-(1LL << 52), 1LL << 52)), -52); };
@@ -229,7 +229,7 @@ TEST_CASE("D of near-grazes is right to three times a double's precision") {
         look_at_discriminant<2>(r, narrow);
         look_at_discriminant<3>(r, narrow);
     }
-    CHECK(narrow > 1500); // of 2000: where the balls come from 2^30 away, less is left
+    CHECK(narrow > 1500); // of 2000: balls that come from 2^30 away leave fewer bits
 }
 
 TEST_CASE("the widest stage of a time and of a contact") {
@@ -248,7 +248,7 @@ TEST_CASE("the widest stage of a time and of a contact") {
         CHECK(by == of_time);
         (void)graze::collide(a, b, tell);
         CHECK(by == of_contact);
-        CHECK(told == 2); // once a call
+        CHECK(told == 2); // once for each call
     };
     const auto rest = at(0, 0, 0);
     expect(stage::filter, stage::filter, at(5, 0.3, -1), rest);

@@ -18,8 +18,8 @@ template <class T>
     return memory;
 }
 
-// x is near 1/epsilon, where p + d, p - d and p d lose what they add; q is some units away and the radius r so that
-// what was lost decides.
+// x is near 1/epsilon, where p + d, p - d and p d lose what they add. q is a few units away, and the radius r is such
+// that the lost part decides.
 template <class T>
 struct sample {
     T p, d, q, r;
@@ -55,7 +55,7 @@ struct quotient {
     }
 };
 
-// What is said about a ball at x: each question in a function of its own, in which x is an expression.
+// Questions about a ball at x. Each is a function of its own, in which x is an expression.
 template <class T>
 [[nodiscard]] graze::ball<2, T> other(const sample<T>& s) {
     return at(s.q, T(0), T(0), s.r / T(2));
@@ -92,7 +92,7 @@ struct wall_decision {
         return static_cast<int>(graze::classify(at(x, T(1), T(-1), s.r), wall(s)));
     }
 };
-struct time_against_expression { // of a ball whose time is q against x
+struct time_against_expression { // the time q of a ball, compared with x
     template <class T>
     int operator()(T x, const sample<T>& s) const {
         const auto time = graze::time_of_impact(at(s.q, T(0), T(-1), T(0)), at(T(0), T(0), T(0), T(0)));
@@ -133,8 +133,8 @@ void ask(caller_tally& t) {
     }
 }
 
-// τ = 2^-140 against floats in registers, which are subnormal: how it compares is known. The numbers are read as bits,
-// so that no mode is asked what they are.
+// τ = 2^-140 against subnormal floats in registers: how they compare is known. The numbers are made from bits, so that
+// no mode changes them.
 [[nodiscard, gnu::noinline]] int against(const graze::impact_time<2>& time, float m) {
     const auto order = time <=> m;
     return order < 0 ? -1 : order > 0 ? 1 : time == m ? 0 : 2;
@@ -149,15 +149,15 @@ void ask_subnormals(caller_tally& t) {
     ask_one(0, 1);
     ask_one(1, 1);               // 2^-149
     ask_one(1U << 9, 0);         // 2^-140
-    ask_one((1U << 9) + 1, -1);  // the next one
+    ask_one((1U << 9) + 1, -1);  // the next number
     ask_one(1U << 19, -1);       // 2^-130
     ask_one((1U << 23) - 1, -1); // the largest subnormal number
     ask_one(1U << 23, -1);       // the smallest normal one
     ask_one((1U << 31) + 1, 1);  // -2^-149
 }
 
-// Rows of doubles that a caller makes floats of, where the predicate is inlined: position, velocity, radius of a ball,
-// corner and edge of a wall. From the family edges_and_corners.
+// Rows of doubles that a caller narrows to floats where the predicate is inlined: position, velocity and radius of a
+// ball, corner and edge of a wall. From the family edges_and_corners.
 constexpr double to_be_narrowed[][9] = {
     {-0x1.6424ba7c04bap-1, -0x1.85f3bf63330bp-2, 0x1.02b11366889p-2, -0x1.2fcae519405fp+0, 0x1.da9aa7cd5107ap-3,
      -0x1.99ab98a88adf8p-1, -0x1.18a7c0caf364p+0, 0x1.5cp-6, -0x1.936p-8},
@@ -196,8 +196,8 @@ void ask_narrowed(caller_tally& t) {
     }
 }
 
-// Balls inside each other that part about as fast as the filter can just tell, double by double: where it computes in
-// registers of more bits and stores some results, one of its comparisons may tell what another one does not.
+// Overlapping balls that part about as fast as the filter can just tell, double by double. If it computes in registers
+// of more bits and stores some results, one comparison may decide what another leaves open.
 void ask_barely_parting(caller_tally& t) {
     constexpr double tells = graze::detail::ball_filter<2, double>::discriminant;
     for (int i = 0; i < 200; ++i) {
@@ -205,7 +205,7 @@ void ask_barely_parting(caller_tally& t) {
         const double across = 2 - i / 512.0 - 0x1p-51;
         const double radius = 5 + i / 128.0 + 0x1p-49;
         const double length2 = x * x + radius * radius;
-        const double slow = tells * length2 * across * across / (x * x); // border² without what it adds to the speed
+        const double slow = tells * length2 * across * across / (x * x); // border² without the speed's part
         const double border = std::sqrt(tells * length2 * (across * across + slow)) / x;
         for (int k = -8; k <= 8; ++k) {
             const double away = stored(std::bit_cast<double>(std::bit_cast<std::int64_t>(stored(border)) + k));

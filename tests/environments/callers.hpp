@@ -1,4 +1,4 @@
-// Predicates called in the middle of a caller's own arithmetic, where a number may not have been stored yet.
+// Predicates called in the middle of a caller's arithmetic, where a number may not have been stored yet.
 #pragma once
 
 namespace environments {
@@ -7,7 +7,7 @@ struct caller_tally {
     unsigned long asked = 0, different = 0;
 };
 
-// Asks with numbers as expressions and with the same numbers read back from memory.
+// Asks with numbers as expressions, and with the same numbers read back from memory.
 [[nodiscard]] caller_tally ask_callers();
 
 } // namespace environments

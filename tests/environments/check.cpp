@@ -1,6 +1,6 @@
-// environment_check FILE [--started-flushing]: asks the predicates, as this program was compiled, the questions of the
-// file, in every rounding mode, with and without subnormals, and as the process started. Ends with 0 if every answer is
-// that of the file, with 1 if not, with 77 if the process was to start with subnormals flushed to zero and did not.
+// environment_check FILE [--started-flushing]: asks the predicates the questions of the file, in every rounding mode,
+// with and without subnormals, and in the state in which the process started. Exit code 0: every answer is the file's;
+// 1: some are not; 77: the process should have started with subnormals flushed to zero but did not.
 #include "callers.hpp"
 #include "state.hpp"
 #include "subject.hpp"
@@ -23,7 +23,7 @@ struct question {
     std::string line;
 };
 
-// The lines that are about a subject known here; each must be there as often as the head of the file says.
+// The lines about the subjects known here. Each subject must occur as often as the head of the file says.
 class question_file {
   public:
     question_file(const char* path, const std::vector<subject>& subjects) {
@@ -71,7 +71,7 @@ class question_file {
     }
 
     void read_question(const std::string& line) {
-        std::size_t end = 0; // of the subject's four words
+        std::size_t end = 0; // after the subject's four words
         for (int word = 0; word < 4; ++word) {
             end = line.find(' ', end + 1);
         }
@@ -136,7 +136,7 @@ class checker {
         total_.wrong += t.wrong;
     }
 
-    // The table, what was wrong, and whether all is well.
+    // Prints the table and what was wrong. Returns whether all is well.
     [[nodiscard]] bool report() const {
         std::printf("%-34s %9s %9s %9s %6s\n", "", "answers", "filter", "exact", "wrong");
         for (const auto& [mode, t] : modes_) {

@@ -1,4 +1,4 @@
-// Decisions in constant expressions. Compiles, or not, under every flag; there is nothing to run.
+// Decisions in constant expressions. They must compile under every flag; there is nothing to run.
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/time/time_of_shapes.hpp>
 #include <graze/time/time_of_walls.hpp>
@@ -14,7 +14,7 @@ using graze::plane;
 using graze::time_of_impact;
 using graze::wall;
 
-// The same small scenes in every type: numbers are whole.
+// The same small scenes in every type, with whole numbers.
 template <class T>
 constexpr ball<2, T> still{{0, 0}, {0, 0}, 1};
 #ifndef REJECTED // how it is used
@@ -47,7 +47,7 @@ constexpr bool decides() {
     static_assert(*time_of_impact(falling<T>, square<T>) ==
                   *time_of_impact(falling<T>, plane<3, T>{{0, 0, 0}, {0, 0, 3}}));
     static_assert(!time_of_impact(ball<2, T>{{-4, 3}, {1, 0}, 1}, still<T>));
-    // √2 and √8/2, by another way.
+    // √2, and √8/2 as computed in another way.
     static_assert(*time_of_impact(ball<2, T>{{-4, 1}, {1, 0}, 2}, still<T>) ==
                   *time_of_impact(ball<2, T>{{-8, 2}, {2, 0}, 4}, ball<2, T>{{0, 0}, {0, 0}, 2}));
     return true;

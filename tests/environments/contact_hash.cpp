@@ -13,7 +13,7 @@
 namespace environments {
 namespace {
 
-// FNV-1a of 64-bit words, by their bytes from the lowest one.
+// FNV-1a over 64-bit words, from each word's lowest byte.
 class hash {
   public:
     void add(std::uint64_t x) {
@@ -56,7 +56,7 @@ class hash {
 template <class T>
 inline constexpr range range_of = sizeof(T) == 4 ? range{-149, 122, 24} : range{-1074, 1018, 53};
 
-// Numbers with all their bits: a ball from (-1,1)^N flies at a thing near the origin, which is some tenths large.
+// Numbers with all their bits: a ball in (-1,1)^N flies at a thing near the origin that is a few tenths large.
 [[nodiscard]] row draw_generic(random& r, partner p, int n, const range& type) {
     row x{p, {}};
     const auto places = layout(p, n);
@@ -76,7 +76,7 @@ inline constexpr range range_of = sizeof(T) == 4 ? range{-149, 122, 24} : range{
     return x;
 }
 
-// Pair number `index` of a subject, made of bits alone; its numbers, and a mass for each ball.
+// Pair number `index` of a subject, made from bits only: its numbers, and a mass for each ball.
 template <partner P, int N, class T>
 [[nodiscard]] std::array<T, row_length(P, N) + 2> draw_numbers(std::uint64_t index) {
     random r(20261126, index);
@@ -100,7 +100,7 @@ template <partner P, int N, class T>
     }
 }
 
-// What collide says of a pair; of one that it rejects, that.
+// collide's answer about a pair, or the fact that it rejects the pair.
 struct contacts_of {
     static constexpr const char* name = "contacts";
 
@@ -122,7 +122,7 @@ struct contacts_of {
     }
 };
 
-// A time rounded to nearest, downward and upward.
+// A time, rounded to nearest, downward and upward.
 struct times_of {
     static constexpr const char* name = "times";
 
@@ -167,7 +167,7 @@ void add(std::vector<hashed_subject>& subjects) {
     subjects.push_back({subject_name<N, T>(What::name, name_of(P)), run<What, P, N, T>});
 }
 
-// The same hash as that of times_of, from batches: of so many pairs at a time, of both kinds of registers several.
+// Times from batches; the hash must be that of times_of. A batch has this many pairs, several registers of either kind.
 constexpr std::size_t pairs_a_batch = 300;
 
 template <class T>
@@ -224,7 +224,7 @@ tally run_batches(std::uint64_t count) {
     return t;
 }
 
-// A plane of each pair, so that its ball is asked about as often as a register has lanes.
+// Makes a batch for each pair's plane, so that the ball is asked about as often as a register has lanes.
 template <int N, class T>
 tally run_plane_batches(std::uint64_t count) {
     tally t;
@@ -249,7 +249,7 @@ void add_batches(std::vector<hashed_subject>& subjects) {
     subjects.push_back({subject_name<N, T>(times_of::name, name_of(partner::plane)), run_plane_batches<N, T>});
 }
 
-// All of one dimension and type.
+// All pair kinds in one dimension and type.
 template <int N, class T>
 void add_all(std::vector<hashed_subject>& subjects) {
     add<contacts_of, partner::ball, N, T>(subjects);
@@ -267,7 +267,7 @@ std::vector<hashed_subject> hashed_subjects() {
     std::vector<hashed_subject> subjects;
     if constexpr (level == 0) {
         add<contacts_of, partner::ball, 2, double>(subjects);
-        // Of vectors of two, in which a compiler may look for zeros in another way.
+        // Vectors of two components, in which a compiler may look for zeros in another way.
         add<contacts_of, partner::plane, 2, double>(subjects);
         add_batches<2, double>(subjects);
     } else {

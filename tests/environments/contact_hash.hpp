@@ -13,10 +13,10 @@ struct tally {
 
 struct hashed_subject {
     std::string name;
-    tally (*run)(std::uint64_t count); // of the first `count` pairs
+    tally (*run)(std::uint64_t count); // hashes the first `count` pairs
 };
 
-// Those that are compiled at this level: 0 takes seconds, 1 is all of them.
+// The subjects compiled at this level: 0 takes seconds, 1 is all of them.
 [[nodiscard]] std::vector<hashed_subject> hashed_subjects();
 
 } // namespace environments

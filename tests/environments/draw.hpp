@@ -1,5 +1,5 @@
-// Rows of exact numbers for questions: small whole numbers, for which all ties and degenerate cases are frequent, moved
-// to places where an environment might do harm.
+// Rows of exact numbers for questions: small whole numbers, which make ties and degenerate cases frequent, moved to
+// where an environment might do harm.
 #pragma once
 
 #include "../../examples/families/pair.hpp"
@@ -17,11 +17,11 @@ using families::random;
 
 enum class group { length, velocity, normal };
 
-// What each number of a row is. Radii belong to no axis.
+// What a number of a row is. Radii belong to no axis.
 struct place {
     group what;
     int axis;
-    bool is_position = false; // of one of the two things, rather than a size
+    bool is_position = false; // the place of one of the two things, not a size
 };
 
 [[nodiscard]] inline std::vector<place> layout(partner p, int n) {
@@ -53,14 +53,14 @@ struct row {
     std::vector<number> numbers;
 };
 
-// The number of a row that has this place, for component i: of the ball's position and velocity, of the partner's
-// position and of what follows that.
+// The index in the row of component i: of the ball's position and velocity, of the partner's position and of what
+// follows that.
 [[nodiscard]] constexpr std::size_t ball_velocity(int n, int i) { return static_cast<std::size_t>(n + i); }
 [[nodiscard]] constexpr std::size_t partner_position(int n, int i) { return static_cast<std::size_t>(2 * n + 1 + i); }
 [[nodiscard]] constexpr std::size_t partner_vector(int n, int i) { return static_cast<std::size_t>(3 * n + 1 + i); }
 
-// Everything along the axes: the ball flies along one, the wall's edges and the plane's normal are along others, and
-// the way may be level with the partner. Grazes and equal times are then frequent.
+// Aligns everything with the axes: the ball flies along one, the wall's edges and the plane's normal are along others,
+// and the way may be level with the partner. That makes grazes and equal times frequent.
 inline void align(random& r, row& x, int n) {
     const auto at = [&](std::size_t i) -> std::int64_t& { return x.numbers[i].significand; };
     const auto flight = static_cast<int>(r.below(static_cast<std::uint64_t>(n)));
@@ -103,8 +103,8 @@ inline void align(random& r, row& x, int n) {
     return x;
 }
 
-// The units of the groups, and powers of two by which an axis is stretched and its velocities shrunk: h then stays as
-// it is, however far apart its terms' factors are.
+// The units of the groups, and powers of two by which an axis is stretched and its velocities shrunk. That keeps h,
+// however far apart the factors of its terms are.
 struct units {
     std::array<int, 3> of_group{};
     std::array<int, 3> stretch{};
@@ -120,7 +120,7 @@ inline void scale(row& x, int n, const units& u) {
     }
 }
 
-// Moves both things far away together; what has a size of its own becomes finer than their unit.
+// Moves both things far away together. Sizes become finer than the unit of positions there.
 inline void move_away(random& r, row& x, int n, int bits) {
     const std::vector<place> places = layout(x.with, n);
     std::array<std::int64_t, 3> away{};
@@ -137,12 +137,12 @@ inline void move_away(random& r, row& x, int n, int bits) {
     }
 }
 
-// The range of a type, as the exponents of its units.
+// A type's range, as the exponents of its units.
 struct range {
     int low, high, bits;
 };
 
-// An exponent for numbers of up to 6 bits: anywhere, or near where squares, products or the filters' range checks end.
+// An exponent for numbers of up to 6 bits: anywhere, or near the ends of squares, products or the filters' ranges.
 [[nodiscard]] inline int draw_exponent(random& r, const range& type) {
     constexpr std::array anchors{-1074, -1022, -540, -511, -450, -226, -149, -126, -75,
                                  -50,   0,     50,   64,   226,  450,  511,  1010};
@@ -153,7 +153,7 @@ struct range {
     return static_cast<int>(std::clamp<std::int64_t>(e, type.low, type.high));
 }
 
-// One number replaced: by zero, the smallest, one of the largest, or one unit in the last place beside.
+// Replaces one number: by zero, the smallest, one of the largest, or one that is a unit in the last place away.
 inline void put_a_stray(random& r, row& x, const range& type) {
     number& y = x.numbers[r.below(x.numbers.size())];
     switch (r.below(4)) {
@@ -187,7 +187,7 @@ inline constexpr std::array<std::string_view, 6> kinds_of_rows{"grid",  "scaled"
         units u;
         const int velocity = draw_exponent(r, type);
         u.of_group = {draw_exponent(r, type), r.one_in(2) ? -velocity : velocity, draw_exponent(r, type)};
-        if (kind == "threshold" && type.low < 0) { // the smaller numbers are subnormal, the larger ones not
+        if (kind == "threshold" && type.low < 0) { // the smaller numbers become subnormal, the larger ones do not
             const auto unit = [&] { return type.low + type.bits - static_cast<int>(r.in(2, 5)); };
             u.of_group[0] = unit();
             u.of_group[1] = r.one_in(2) ? unit() : u.of_group[1];

@@ -1,5 +1,5 @@
-// environment_oracle FILE [FACTOR]: writes questions to the predicates, with the answers that exact arithmetic of its
-// own gives: FACTOR (1) times seven thousand. Foreign targets and other compilers are then asked them.
+// environment_oracle FILE [FACTOR]: writes questions to the predicates, with the answers by the oracle's exact
+// arithmetic: FACTOR (1) times seven thousand. Other targets and compilers are then asked them.
 #include "../soak/more_families.hpp"
 #include "question.hpp"
 
@@ -58,7 +58,7 @@ template <int N>
     return x;
 }
 
-// Moves each group to where its largest number is one of the largest integers or, for float, in range.
+// Moves each group so that its largest number is among the largest integers or, for float, in range.
 template <class T>
 void fit(random& r, row& x, int n) {
     const std::vector<place> places = layout(x.with, n);
@@ -141,7 +141,7 @@ class questioner {
         }
     }
 
-    // As many rows of a kind as wanted, of those that are valid and whose answer will do.
+    // As many rows of a kind as wanted that are valid and have a suitable answer.
     template <class Wanted>
     void ask_drawn(std::string_view kind, partner p, int count, Wanted wanted) {
         for (int found = 0, tries = 0; found < count; ++tries) {
@@ -176,7 +176,7 @@ class questioner {
         }
     }
 
-    // The next two with equal times, the second with `other`; or those given.
+    // The next two with equal times, the second one with `other`; without such a tie, the two given.
     [[nodiscard]] std::pair<std::size_t, std::size_t> find_tie(partner other,
                                                                std::pair<std::size_t, std::size_t> given) const {
         const partner p = collisions_[given.first].with;
@@ -212,7 +212,7 @@ class questioner {
         return from;
     }
 
-    // A collision against its own time where that is a T, against a time near its own, or against any time.
+    // A collision against its own time if that is a T, against a time near it, or against any time.
     void ask_times() {
         for (const partner p : partners) {
             for (int i = 0; i < 40 * factor_; ++i) {
@@ -269,12 +269,12 @@ void ask_type(questions& q, int factor) {
     questioner<3, T>(q, factor)();
 }
 
-// The answers that a subject must have in it, or the questions are too easy.
+// The answers that must occur for a subject; otherwise its questions are too easy.
 void require_all_answers(const questions& q) {
     for (const auto& [subject, lines] : q) {
-        std::vector<std::string> wanted{"-1", "0", "1"}; // of an order
+        std::vector<std::string> wanted{"-1", "0", "1"}; // for an order
         if (subject.starts_with("decide")) {
-            wanted = {"1", "2", "3", "8"}; // overlap, recede, also of what overlaps, hit
+            wanted = {"1", "2", "3", "8"}; // overlap, recede (also of what overlaps), hit
             if (subject.find("plane") == std::string::npos) {
                 wanted.insert(wanted.end(), {"4", "6"}); // miss, graze
             }

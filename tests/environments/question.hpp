@@ -59,7 +59,7 @@ template <class T>
     return std::is_integral_v<T> ? mpq_class(static_cast<long>(x)) : mpq_class(static_cast<double>(x));
 }
 
-// Whether the predicates accept the pair: the radii are not negative, the normal is not zero, the edges span a wall.
+// Whether the predicates accept the pair: no negative radius, no zero normal, edges that span a wall.
 template <int N, class T>
 [[nodiscard]] bool is_valid(partner p, const std::vector<T>& numbers) {
     std::vector<mpq_class> x;

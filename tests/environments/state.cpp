@@ -27,7 +27,7 @@ void set_flush(bool) {}
 constexpr bool has_flush = false;
 #endif
 
-// Arithmetic that no compiler does in advance.
+// Arithmetic that no compiler evaluates in advance.
 double sum(double x, double y) {
     volatile double a = x;
     volatile double b = y;

@@ -1,4 +1,4 @@
-// The part of the floating-point environment that is state: the rounding direction and the flushing of subnormals.
+// The part of the floating-point environment that is state: rounding direction and flushing of subnormals.
 #pragma once
 
 namespace environments {
@@ -15,7 +15,7 @@ enum class rounding { nearest, upward, downward, towards_zero };
 // Whether the machine has a mode in which subnormal results and operands count as zero.
 [[nodiscard]] bool can_flush();
 
-// Whether the machine can be told to round in this direction. WebAssembly rounds to nearest, always.
+// Whether the machine can round in this direction. WebAssembly always rounds to nearest.
 [[nodiscard]] constexpr bool can_round(rounding r) {
 #if defined(__wasm__)
     constexpr bool others = false;
@@ -25,7 +25,7 @@ enum class rounding { nearest, upward, downward, towards_zero };
     return others || r == rounding::nearest;
 }
 
-// Sets both. False if the machine then does not calculate accordingly.
+// Sets both. False if the machine does not compute accordingly afterwards.
 [[nodiscard]] bool set_state(rounding direction, bool flush);
 
 // Whether subnormals count as zero now.

@@ -19,7 +19,7 @@ namespace environments {
 #endif
 inline constexpr int level = GRAZE_ENVIRONMENT_LEVEL;
 
-// An answer as the file has it, and by which stages it was decided.
+// An answer in the file's form, and the stages that decided it.
 struct reply {
     int answer = 0;
     int filter = 0, exact = 0;
@@ -27,7 +27,7 @@ struct reply {
 
 struct subject {
     std::string name;
-    std::size_t numbers; // of a question
+    std::size_t numbers; // in a question
     reply (*ask)(const std::uint64_t* bits);
 };
 
@@ -45,7 +45,7 @@ template <class T, std::size_t Count>
     return numbers;
 }
 
-// Counts the stages of a reply.
+// Counts how often each stage decided.
 struct stage_counter {
     reply& counts;
     void operator()(graze::stage s) const { ++(s == graze::stage::filter ? counts.filter : counts.exact); }

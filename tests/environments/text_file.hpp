@@ -1,4 +1,4 @@
-// Files by way of C, since libc++ for WebAssembly has no file streams.
+// Files through C's functions, since libc++ for WebAssembly has no file streams.
 #pragma once
 
 #include <cstdio>
@@ -10,7 +10,7 @@ namespace environments {
 
 using open_file = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
-// All that the file holds.
+// The whole content of the file.
 [[nodiscard]] inline std::string text_of(const char* path) {
     const open_file file(std::fopen(path, "rb"));
     if (!file) {

@@ -7,7 +7,7 @@
 namespace environments {
 namespace {
 
-constexpr int no_collision = 100; // no answer of the file
+constexpr int no_collision = 100; // not an answer in the file
 
 [[nodiscard]] int sign_of(std::partial_ordering o) { return o < 0 ? -1 : o > 0 ? 1 : o == 0 ? 0 : 2; }
 
@@ -16,7 +16,7 @@ template <partner P, int N, class T>
     return with_shapes<P, N>(row, [](const auto& a, const auto& b) { return graze::time_of_impact(a, b); });
 }
 
-// The observed comparison, with which <=>, the reverse and == must agree.
+// The comparison with an observer. <=>, the reverse and == must agree with it.
 template <partner P, partner Q, int N, class T>
 [[nodiscard]] reply order(const std::uint64_t* bits) {
     const auto numbers = numbers_from<T, row_length(P, N) + row_length(Q, N)>(bits);

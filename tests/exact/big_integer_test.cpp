@@ -29,7 +29,7 @@ std::int64_t any_digit() {
     }
 }
 
-// Numbers of up to `digits` digits, near and far, some of them negated, small constants among them.
+// Numbers of up to `digits` digits, close and far apart, some negated, some small constants.
 big_integer any_value(workspace& w, int digits, mpz_class& truth) {
     if (*rc::gen::inRange(0, 10) == 0) {
         const int small = *rc::gen::inRange(-2, 3);
@@ -53,7 +53,7 @@ big_integer any_value(workspace& w, int digits, mpz_class& truth) {
     return x;
 }
 
-// What a value promises: its digits, its size and its sign.
+// What a value promises: its digits, size and sign.
 void check(const big_integer& x, const mpz_class& truth) {
     RC_ASSERT(value(x) == truth);
     RC_ASSERT(graze::sign(x) == sgn(truth));
@@ -113,7 +113,7 @@ void check_integer() {
     check(to_big(w, x), truth);
 }
 
-// In a constant expression too, where what is read has been written.
+// Also in a constant expression, which may read only what has been written.
 constexpr int sign_of_difference() {
     graze::detail::workspace_of<40> w;
     const auto x = big_integer::from_shifted(w, most, 130);
@@ -162,13 +162,13 @@ TEST_CASE("Numbers far apart have zeros between them") {
     for (int i = 0; i < x.count(); ++i) {
         digits += x.digit(i) != 0 ? 1 : 0;
     }
-    CHECK(digits == 2); // a carry would run through all of them
+    CHECK(digits == 2); // the borrow does not run through all digits
 }
 
 TEST_CASE("What a scope has taken is given back") {
     graze::detail::workspace_of<6> w;
     const auto x = big_integer::from_shifted(w, most, 3);
-    for (int i = 0; i < 100; ++i) { // the program would end
+    for (int i = 0; i < 100; ++i) { // if room were not given back, the program would end
         const workspace::scope scope(&w);
         CHECK(value(x * x) == value(x) * value(x));
     }

@@ -1,4 +1,4 @@
-// Numbers as significand and exponent, and lifted to a common scale, without an error.
+// Numbers as significand and exponent, and lifted to a common scale, exactly.
 #include "../machine/wide_values.hpp"
 
 #include <graze/exact/binary.hpp>
@@ -35,7 +35,7 @@ void check_number(T x) {
     RC_ASSERT(graze::detail::is_finite_input(x));
 }
 
-// Any finite number of T: any bits, or an end of the range, or small.
+// Any finite number of T: random bits, an end of the range, or small.
 template <class T>
 T any_number() {
     using limits = std::numeric_limits<T>;
@@ -75,7 +75,7 @@ void check_lifted() {
     }
 }
 
-// Two groups on one scale: the same values.
+// Two groups lifted to one scale keep their values.
 void check_aligned() {
     std::array<double, 3> x{};
     std::array<double, 2> y{};

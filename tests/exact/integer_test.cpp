@@ -70,7 +70,7 @@ bool holds_for_all(std::integer_sequence<int, A...> widths) {
     return (holds_beside<A>(widths) && ...);
 }
 
-// A width's own words convert; one that may not fit does not.
+// Words that fit a width convert; a word that may not fit does not.
 static_assert(std::constructible_from<integer<64>, std::int64_t> &&
               !std::constructible_from<integer<63>, std::int64_t>);
 static_assert(std::constructible_from<integer<32>, std::int32_t> && std::constructible_from<integer<3>, int>);
@@ -78,7 +78,7 @@ static_assert(!std::constructible_from<integer<64>, std::uint64_t> && !std::cons
 static_assert(std::convertible_to<integer<5>, integer<6>> && !std::constructible_from<integer<5>, integer<6>>);
 static_assert(graze::exact_number<integer<62>> && graze::exact_number<integer<129>>);
 
-// At compile time too: (2^62 - 1)² and its like.
+// Also at compile time: (2^62 - 1)² and the like.
 constexpr auto largest = integer<64>(std::numeric_limits<std::int64_t>::max());
 static_assert((largest * largest).limb(0) == 1 && (largest * largest).limb(1) == 0x3fffffffffffffff);
 static_assert((largest * -largest).sign() == -1 && (largest - largest).sign() == 0);

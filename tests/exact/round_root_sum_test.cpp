@@ -1,5 +1,5 @@
-// The one rounding routine against the oracle: numbers of every size, ties, numbers closer to a tie than any estimate
-// can tell, the ends of the formats; and its parts, the leading bits and their arithmetic, against GMP.
+// The one rounding routine, compared with the oracle: numbers of every size, ties, numbers closer to a tie than any
+// estimate can tell, the ends of the formats. Its parts, the leading bits and their arithmetic, are compared with GMP.
 #include "../environments/state.hpp"
 #include "../machine/wide_values.hpp"
 #include "../oracle/rounding.hpp"
@@ -28,7 +28,7 @@ void make(const mpz_class& value, graze::integer<Bits>& x) {
         x.set_limb(i, wide::low_word(mpz_class(value >> static_cast<unsigned long>(64 * i))));
     }
 }
-graze::detail::workspace_of<100000> room; // what a check takes it gives back
+graze::detail::workspace_of<100000> room; // every check gives back the room that it takes
 void make(mpz_class value, big_integer& x) {
     x = big_integer();
     for (int i = 0; value != 0; ++i) {
@@ -44,7 +44,7 @@ Z make(const mpz_class& value) {
     return x;
 }
 
-// A number known to lie where its leading bits say.
+// A number whose true value is within the range of its leading bits.
 struct tracked {
     leading bits;
     mpq_class truth;
@@ -65,7 +65,7 @@ tracked draw(int bits) {
     const mpz_class x = wide::any(*rc::gen::inRange(1, bits + 1));
     return {leading_of(make<Z>(x)), x};
 }
-// With an error of some bits, and the truth at the end of its range now and then.
+// The same with an error of some bits; now and then the truth is at the end of the range.
 tracked blurred() {
     tracked t = draw<graze::integer<300>>(300);
     if (t.bits.significand != 0 && *rc::gen::arbitrary<bool>()) {
@@ -196,7 +196,7 @@ TEST_CASE("any number is rounded correctly") {
 }
 
 TEST_CASE("ties, and what is beside them by less than any estimate tells") {
-    // With d = k² + e the root is k + e/(2k): (p + q√d)/r is m + qe/(2kr), m a number or a middle.
+    // For d = k² + e the root is about k + e/(2k), and (p + q√d)/r about m + qe/(2kr) for a number or a middle m.
     CHECK(rc::check("beside", [] {
         const int digits = *rc::gen::element(24, 25, 53, 54, 10);
         const mpz_class m = wide::power(digits - 1) + abs(any_of(digits)) % wide::power(digits - 1);

@@ -1,4 +1,4 @@
-// The integers in which a formula runs are as wide as its inputs need, and hold their values.
+// The integers in which a formula runs are as wide as its inputs need, and hold their values exactly.
 #include <graze/filter/exact_stage.hpp>
 #include <graze/formula/quadratic.hpp>
 #include <graze/pair/pair.hpp>
@@ -32,7 +32,7 @@ mpz_class value(const graze::detail::big_integer& x) {
 
 struct seen {
     int width; // of the lifted inputs
-    int tier;  // the width of the type that was chosen
+    int tier;  // the width of the type that was chosen for them
     mpq_class dx, du, R;
 };
 
@@ -48,12 +48,12 @@ mpq_class scaled(const mpz_class& x, int exponent) {
     return exponent < 0 ? mpq_class(x, power) : mpq_class(x * power);
 }
 
-// What the exact tier makes of two balls: the first component of each difference, and R.
+// Two balls in the exact stage: the first component of each difference, and R.
 seen look(const ball& a, const ball& b) {
     using pair = graze::detail::two_balls<2>;
     const auto in = graze::detail::lift_row<pair>(graze::detail::packed<pair>(a, b));
     return graze::detail::with_exact_motion<pair>(in, [&](const auto& m) {
-        seen s{in.width(), width_of<std::remove_cvref_t<decltype(m.dx[0])>> - 1, // one bit more than the inputs
+        seen s{in.width(), width_of<std::remove_cvref_t<decltype(m.dx[0])>> - 1, // it has one bit more than the inputs
                scaled(value(m.dx[0]), in.length.exponent), scaled(value(m.du[0]), in.velocity.exponent),
                scaled(value(m.R), in.length.exponent)};
         s.dx.canonicalize();

@@ -38,7 +38,7 @@ TEST_CASE("Scales out of range, or not numbers, are not usable") {
         CHECK(!graze::detail::usable<double>({1, 1, bad}));
     }
     CHECK(graze::detail::usable<double>({0x1p-40, 1, 1}));
-    CHECK(!graze::detail::usable<float>({0x1p-40, 1, 1})); // near what is subnormal in float
+    CHECK(!graze::detail::usable<float>({0x1p-40, 1, 1})); // too near the subnormal floats
 }
 
 TEST_CASE("A sign is certain or open") {

@@ -21,7 +21,7 @@ struct square_of_a_difference {
 };
 constexpr graze::error_bound input = graze::error_bound::exact_input({0, 1, 2});
 
-// Two products, one u each, of magnitude 1, and their difference: 4u, and what the slack adds.
+// Two products of magnitude 1 with an error of u each, and their difference: 4u, and the slack.
 constexpr double k = graze::filter_constant(square_of_a_difference{}, input);
 static_assert(k > 4 * 0x1p-52 && k < 4 * 0x1p-52 * (1 + 0x1p-39));
 static_assert(graze::filter_degrees(square_of_a_difference{}, input) == graze::error_bound::degrees{0, 2, 4});
@@ -34,7 +34,7 @@ TEST_CASE("A value beyond its bound has a certain sign, all else is open") {
     CHECK(certain_sign(1.0, 1.0) == open);
     CHECK(certain_sign(-1.0, 1.0) == open);
     CHECK(certain_sign(0.5, 1.0) == open);
-    CHECK(certain_sign(0.0, 0.0) == open); // has underflowed, not decided
+    CHECK(certain_sign(0.0, 0.0) == open); // it has underflowed and is not decided
     CHECK(certain_sign(limits::quiet_NaN(), 1.0) == open);
     CHECK(certain_sign(1.0, limits::quiet_NaN()) == open);
     CHECK(certain_sign(limits::infinity(), limits::infinity()) == open);

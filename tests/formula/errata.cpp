@@ -1,4 +1,4 @@
-// The errors of the source, at run time: the printed form gives a wrong answer and the library's form the right one.
+// The errors of the source, at run time: its printed form gives a wrong answer, and the library's form the right one.
 #include "../oracle/contact.hpp"
 
 #include <graze/number/adapter/gmp.hpp>

@@ -34,7 +34,7 @@ graze::wall<N, T> in(const graze::wall<N, int>& w) {
     return wall;
 }
 
-// Each exact type says what it holds: rational_in(x).
+// Each exact type defines rational_in(x), its value.
 template <class T>
 bool equal(const graze::sqrt_extension<T>& x, const oracle::surd& y) {
     const mpq_class p = rational_in(x.p()), q = rational_in(x.q()), d = rational_in(x.d());
@@ -52,7 +52,7 @@ bool equal(const graze::vec<N, R>& x, const oracle::surd_vector<N>& y) {
     return true;
 }
 
-// Of whole inputs, which the oracle does not scale.
+// For whole inputs, which the oracle does not scale.
 template <class T>
 bool has_discriminant(const T& x, const oracle::piece& p) {
     return equal(graze::root_type<T>(x), oracle::rational(p.discriminant()));
@@ -60,7 +60,7 @@ bool has_discriminant(const T& x, const oracle::piece& p) {
 
 inline graze::encounter as_library(oracle::encounter e) { return static_cast<graze::encounter>(e); }
 
-// The sum of m v over both balls is unchanged, and the sum of m v²; with the masses that the inverses stand for.
+// The sums of m v and of m v² over both balls do not change; the masses are given by their inverses.
 template <class T, int N>
 void check_conservation(const graze::ball<N, T>& a, const graze::ball<N, T>& b, const graze::ball_solution<N, T>& s) {
     using R = graze::root_type<T>;
@@ -76,14 +76,14 @@ void check_conservation(const graze::ball<N, T>& a, const graze::ball<N, T>& b, 
     RC_ASSERT(graze::sign(energy) == 0);
 }
 
-// In another variant or root form, which may write the same time over another root.
+// The same in another variant or root form, which may write the same time over another root.
 template <int N, class T>
 void same(const graze::ball_solution<N, T>& s, const graze::ball_solution<N, T>& t) {
     RC_ASSERT(s.what == t.what);
     RC_ASSERT(graze::sign(T(s.discriminant - t.discriminant)) == 0);
 }
 
-// One pair of balls, all that is claimed of it.
+// Checks everything that is claimed of a pair of balls.
 template <class T, int N>
 graze::encounter check(const graze::ball<N, int>& whole_a, const graze::ball<N, int>& whole_b) {
     using enum graze::variant;
@@ -123,7 +123,7 @@ graze::encounter check(const graze::ball<N, int>& whole_a, const graze::ball<N, 
         RC_ASSERT(swapped.velocity_a == s.velocity_b);
         RC_ASSERT(swapped.velocity_b == s.velocity_a);
 
-        // An infinite mass for a: it is not moved.
+        // If a has an infinite mass, it does not move.
         const auto fixed = graze::solve_with_inverse_masses(a, b, T(0), T(T(1) / b.mass));
         const auto d = oracle::contact(whole_a, whole_b, 0, mpq_class(1, whole_b.mass), met);
         RC_ASSERT(equal(fixed.velocity_a, d.velocity_a));

@@ -1,4 +1,4 @@
-// Every ball and every wall on a small grid, so that no degenerate case is left to chance.
+// All balls and walls on a small grid, so that no degenerate case depends on chance.
 #include "exact.hpp"
 
 #include <graze/number/adapter/gmp.hpp>

@@ -16,7 +16,7 @@
 
 namespace inexact {
 
-// x exactly, of a binary type of any length: its leading doubles, one after the other.
+// x exactly, for a binary type of any length: its leading doubles, one after the other.
 template <class T>
 mpq_class exact_value(T x) {
     mpq_class sum = 0;
@@ -30,11 +30,11 @@ mpq_class exact_value(T x) {
 
 template <class T>
 struct counts {
-    long values = 0, outside = 0; // outside its bound
-    long unbounded = 0;           // the bound is infinite
-    long untrue = 0;              // differs from what T gives without the tracking
-    long pairs = 0, doubtful = 0; // doubtful: a sign was uncertain
-    long wrong = 0;               // a wrong decision without a doubt
+    long values = 0, outside = 0; // outside: values outside their bound
+    long unbounded = 0;           // values with an infinite bound
+    long untrue = 0;              // values that differ from what T gives without the tracking
+    long pairs = 0, doubtful = 0; // doubtful: pairs with an uncertain sign
+    long wrong = 0;               // wrong decisions although no sign was uncertain
 
     void compare(const tracked<T>& x, const oracle::surd& truth, const T& untracked) {
         ++values;
@@ -56,7 +56,7 @@ struct counts {
     }
 };
 
-// A double in T, which holds it exactly.
+// A double converted to T, which holds it exactly.
 template <class T>
 struct to {
     static T convert(double x) { return static_cast<T>(x); }
@@ -86,7 +86,7 @@ graze::wall<N, T> in(const graze::wall<N, double>& w) {
     }
     return wall;
 }
-// Draws that every type holds exactly: whole multiples of 2^-20 of at most 24 bits, with 24 significant bits or few.
+// Numbers that every type holds exactly: multiples of 2^-20 of at most 24 bits, with all of these bits or few.
 class draws {
   public:
     explicit draws(std::uint64_t seed) : engine_(seed) {}
@@ -101,7 +101,7 @@ class draws {
         return graze::make_vec<N>([&](int) { return coordinate(limit); });
     }
     double radius() { return std::abs(coordinate(2)); }
-    double small() { return std::round(1 + std::abs(coordinate(1)) * 0x1p16) * 0x1p-16; } // of 17 bits at most
+    double small() { return std::round(1 + std::abs(coordinate(1)) * 0x1p16) * 0x1p-16; } // at most 17 bits
     double mass() { return 1 + std::abs(coordinate(7)); }
     bool one_in(std::uint64_t n) { return engine_() % n == 0; }
 
@@ -109,8 +109,8 @@ class draws {
     std::mt19937_64 engine_;
 };
 
-// Two balls; one in four grazes exactly (a multiple of a tangent of whole numbers), one in four nearly, one in four
-// nearly touches already.
+// Two balls. One pair in four grazes exactly (a multiple of a tangent of whole numbers), one in four nearly, and one in
+// four nearly touches already.
 template <int N>
 struct ball_pair {
     graze::ball<N, double> a, b;
@@ -228,7 +228,7 @@ void check_dimension(int times) {
     CHECK(count.outside == 0);
     CHECK(count.wrong == 0);
     CHECK(count.untrue == 0);
-    // The test is not an empty one.
+    // Enough was tested.
     CHECK(count.values > 10 * times);
     CHECK(count.unbounded * 100 <= count.values);
     CHECK(count.doubtful * 3 <= count.pairs); // a sixth of them graze exactly

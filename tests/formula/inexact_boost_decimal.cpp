@@ -9,7 +9,7 @@ using cpp_dec_float_50 = mp::number<mp::cpp_dec_float<50>, mp::et_off>;
 
 namespace inexact {
 
-// It truncates: a whole unit in the last place of the digits that it promises (it keeps a few more).
+// It truncates, so a rounding loses a whole unit in the last promised digit. (It keeps a few more digits.)
 template <>
 struct rounding<cpp_dec_float_50> {
     static double unit() { return 1e-49; }

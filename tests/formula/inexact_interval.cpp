@@ -1,4 +1,4 @@
-// An interval type needs no bound from outside: its result contains the exact value, or it says that it doesn't know.
+// An interval type needs no other bound: its result contains the exact value, or it says that it does not know.
 #include "inexact.hpp"
 
 #include <graze/number/adapter/cgal.hpp>

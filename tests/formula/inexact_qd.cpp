@@ -12,8 +12,8 @@ struct rounding<dd_real> {
     static double unit() { return 0x1p-102; }
     static constexpr bool sums_by_operands = true;
 };
-// For quad-doubles the first paper gives 2^-209 for a product and 2^-212 for an exact sum; roots and quotients are a
-// few of these.
+// For quad-doubles the first paper gives 2^-209 for a product and 2^-212 for an accurate sum. Roots and quotients err
+// by a few times these.
 template <>
 struct rounding<qd_real> {
     static double unit() { return 0x1p-205; }

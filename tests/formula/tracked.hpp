@@ -1,6 +1,6 @@
-// A number type that computes in T with a running error: a bound on its distance from the exact value, updated by every
-// operation (running error analysis, Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 3.3). The
-// formulas run in it as they are, so the bound on each result is derived from the problem, not chosen.
+// A number type that computes in T with a running error: every operation updates a bound on the distance from the exact
+// value (running error analysis, Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 3.3). The formulas
+// run in it unchanged, so the bound on each result is derived from the problem instead of chosen.
 #pragma once
 
 #include <graze/number/traits.hpp>
@@ -10,15 +10,15 @@
 
 namespace inexact {
 
-// The rounding error of one operation in T with result z: unit·|z|. sums: |x| + |y| in place of |z|, for a type whose
-// sums may cancel badly. Half a unit in the last place where T rounds to nearest; specialise for others.
+// The rounding error of an operation in T with the result z: unit·|z|; for a type whose sums may cancel badly, `sums`
+// takes |x| + |y| instead of |z|. The default is half a unit in the last place, for a T that rounds to nearest.
 template <class T>
 struct rounding {
     static double unit() { return std::ldexp(1.0, -graze::number_traits<T>::digits); }
     static constexpr bool sums_by_operands = false;
 };
 
-// Bounds are computed in double, each operation made too large by more than its own rounding.
+// Bounds are computed in double. Each operation is enlarged by more than its own rounding.
 inline double up(double x) { return x * (1 + 0x1p-40); }
 
 template <class T>
@@ -75,7 +75,7 @@ struct tracked {
     friend bool operator<(const tracked& x, const tracked& y) { return x.value < y.value; }
 };
 
-// Whether a sign was taken that the error leaves open: only then may a decision be wrong.
+// Set if a sign was taken that the error leaves open. Only then may a decision be wrong.
 inline bool sign_was_uncertain = false;
 
 } // namespace inexact

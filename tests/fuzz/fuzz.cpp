@@ -1,5 +1,5 @@
-// Random bytes as the input of every predicate, compared with the oracle: the answers for good input, the messages for
-// bad input.
+// Random bytes as input to every predicate. The answers for good input and the messages for bad input are compared with
+// the oracle.
 #include "../predicate/faults.hpp"
 
 #include "../oracle/encounter.hpp"
@@ -24,7 +24,7 @@ void require(bool right, const char* what) {
     }
 }
 
-// Numbers out of bytes. When there are no more of them, zeros.
+// Makes numbers from bytes, and zeros when there are none left.
 class reader {
   public:
     reader(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -35,8 +35,8 @@ class reader {
         return x;
     }
 
-    // One byte says which kind: the bits as they are, or a small whole number (times a power of two), which lets
-    // ties and zeros occur.
+    // A first byte says how: the bits as they are, or a small whole number (times a power of two), so that ties and
+    // zeros occur.
     template <class T>
     T number() {
         const std::uint8_t kind = byte();
@@ -87,7 +87,7 @@ struct event {
 
 int sign_of(std::partial_ordering o) { return o < 0 ? -1 : o > 0 ? 1 : o == 0 ? 0 : 2; }
 
-// Every predicate of a pair. Its event, if there is one.
+// Asks every predicate about a pair. Returns its event, if there is one.
 template <int N, class T, class Shape>
 std::optional<event<N, T>> decide(const graze::ball<N, T>& a, const Shape& b) {
     const faults::list bad = faults::of(a, b);

@@ -1,4 +1,4 @@
-// Writes the seeds of the fuzz target into the given folder: two pairs of each family, one file for each, in the format
+// Writes the seeds of the fuzz target into the given folder: a file for each of two pairs of each family, in the format
 // that the target reads.
 #include "../soak/more_families.hpp"
 

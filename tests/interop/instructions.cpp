@@ -1,4 +1,4 @@
-// One decision of graze's own balls, and of foreign ones.
+// One decision about graze's own balls, and one about foreign balls.
 #include <graze/own_types.hpp>
 
 struct coordinates {

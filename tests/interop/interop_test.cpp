@@ -1,5 +1,5 @@
-// Shapes of Eigen's, glm's and Bullet's vectors and of others: what is known of a few pairs, and the bits that graze's
-// own shapes give for many.
+// Shapes with the vectors of Eigen, glm, Bullet and others: what is known of a few pairs, and the same bits as for
+// graze's own shapes for many.
 #include <graze/batch.hpp>
 #include <graze/graze.hpp>
 
@@ -62,9 +62,9 @@ struct graze::wall_access<quad<V>> {
 
 namespace {
 
-// A ball of radius 1 from (-4, 0, 3) with velocity (1, 0, 0) meets one of radius 4 at the origin: with R = 5 and a
-// height of 3 it is 4 before the origin already, so at t = 0. From (-9, 0, 3) at t = 5, in direction (-4, 0, 3)/5, and
-// keeps u - 2 (u·n) n m_b/(m_a + m_b).
+// A ball of radius 1 from (-4, 0, 3) with velocity (1, 0, 0) meets one of radius 4 at the origin at t = 0: R = 5, and
+// at a height of 3 the contact is 4 before the origin. From (-9, 0, 3) it does so at t = 5. The normal is (-4, 0, 3)/5,
+// and the ball keeps u - 2 (u·n) n m_b/(m_a + m_b).
 template <class V, class T>
 void check_in_space() {
     using P = particle<V, T>;
@@ -89,7 +89,7 @@ void check_in_space() {
     CHECK(graze::time_of_impact(falls, table) == T(1.5L));
 }
 
-// The same bits as from graze's own shapes.
+// Gives the same bits as graze's own shapes.
 template <class V, class T, class Make>
 void check_bits(Make vector) {
     std::mt19937 random(1);
@@ -122,7 +122,7 @@ TEST_CASE("members, calls, arrays") {
     check_in_space<std::array<float, 3>, float>();
     check_bits<by_member, double>([](const auto& v) { return by_member{v[0], v[1], v[2]}; });
 
-    // In the plane, where a graze is one: the ball passes at a distance of exactly 3 + 2.
+    // A graze in the plane: the ball passes at a distance of exactly 3 + 2.
     const particle<by_call, float> a{{-8, 5}, {1, 0}, 3, 1};
     const particle<by_call, float> b{{0, 0}, {0, 0}, 2, 1};
     CHECK(graze::classify(a, b) == graze::encounter::graze);
@@ -178,7 +178,7 @@ struct graze::ball_access<fragile> {
     static const by_member& position(const fragile& b) { return b.position; }
     static const by_member& velocity(const fragile& b) { return b.velocity; }
     static double radius(const fragile& b) {
-        return b.position.x < 0 ? throw std::length_error("no radius") : 1; // of which graze knows nothing
+        return b.position.x < 0 ? throw std::length_error("no radius") : 1; // an exception that is not graze's
     }
 };
 TEST_CASE("what a user's type throws leaves a batch") {

@@ -1,4 +1,4 @@
-// The probe of the floating-point environment tells every state in which error-free transforms would fail.
+// The probe of the floating-point environment detects every state in which error-free transforms would fail.
 #include "../environments/state.hpp"
 
 #include <graze/machine/environment.hpp>

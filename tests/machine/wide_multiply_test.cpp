@@ -1,4 +1,4 @@
-// Products and sums of words: the path in use and the portable one, against GMP.
+// Products and sums of words: the path in use and the portable one, compared with GMP.
 #include "wide_values.hpp"
 
 #include <graze/machine/wide_multiply.hpp>

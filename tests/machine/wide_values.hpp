@@ -1,4 +1,4 @@
-// Integers for tests: limbs of zeros and ones, borders of limbs, neighbours of powers of two; and GMP's view of them.
+// Integers for tests: limbs of zeros and ones, borders of limbs, neighbours of powers of two; and the same in GMP.
 #pragma once
 
 #include <gmpxx.h>

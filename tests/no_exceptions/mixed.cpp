@@ -1,5 +1,5 @@
-// mixed: a unit with exceptions and one without in one program. The first one's bad input throws, whoever's code was
-// linked; with an argument, bad input of the second ends the program.
+// mixed: a unit with exceptions and a unit without in one program. Bad input to the first throws, whichever unit's code
+// was linked; with an argument, bad input to the second ends the program.
 #include "questions.hpp"
 
 #include <cstdio>

@@ -9,5 +9,5 @@
 graze::encounter ASKED(double radius) {
     const graze::ball<3> a{{-8, 5, 0}, {1, 0, 0}, radius};
     const graze::ball<3> b{{0, 0, 0}, {0, 0, 0}, 2};
-    return graze::classify(a, b); // at a distance of 3 + 2 if the radius is 3: they graze, which integers tell
+    return graze::classify(a, b); // at a distance of 3 + 2: with radius 3 they graze, which takes integers
 }

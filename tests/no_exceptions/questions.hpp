@@ -7,6 +7,6 @@
 graze::encounter asked_with_exceptions(double radius);
 graze::encounter asked_without_exceptions(double radius);
 
-// Whether all try_ procedures say what they should.
+// Whether all try_ procedures give the right answers.
 bool tried_with_exceptions();
 bool tried_without_exceptions();

@@ -1,4 +1,4 @@
-// What cannot throw, in a unit with exceptions or one without: every kind of pair, answers and errors known by hand.
+// What cannot throw, in a unit with or without exceptions: every pair kind, with answers and errors known by hand.
 #include "questions.hpp"
 
 #include <graze/batch.hpp>
@@ -29,7 +29,7 @@ bool is_wrong(const graze::result<V>& r, const char* message, const char* field)
     return !r.has_value() && r.error().message() == message && std::strcmp(r.error().field, field) == 0;
 }
 
-// In space, at rest but for a ball that comes from the left and touches at a distance of 5.
+// In space, at rest, but for a ball that comes from the left and touches at a distance of 5.
 constexpr graze::ball<3> coming{{-8, 0, 0}, {1, 0, 0}, 3};
 constexpr graze::ball<3> resting{{0, 0, 0}, {0, 0, 0}, 2};
 constexpr graze::ball<3> inside_out{{0, 0, 0}, {0, 0, 0}, -2};

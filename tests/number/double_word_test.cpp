@@ -1,4 +1,4 @@
-// Error-free transforms and double words against GMP: exact, or within the published bounds.
+// Error-free transforms and double words, compared with GMP: exact, or within the published bounds.
 #include "adapter/adapter.hpp"
 
 #include <graze/number/bounded_word.hpp>
@@ -22,7 +22,7 @@ mpq_class exact(const double_word& x) { return exact(x.high()) + exact(x.low());
 
 const mpq_class u(1, mpz_class(1) << 53);
 
-// Significands with long runs of equal bits, and random ones; exponents near each other.
+// Significands with long runs of equal bits, or random; exponents near each other.
 double draw(families::random& r) {
     auto significand = static_cast<std::int64_t>(r.next() >> 11U) | (std::int64_t{1} << 52);
     switch (r.below(4)) {
@@ -42,7 +42,7 @@ double draw(families::random& r) {
     return std::ldexp(static_cast<double>(r.either_sign(significand)), exponent);
 }
 
-// A low part of up to half a unit in the last place, ties among them.
+// With a low part of up to half a unit in the last place, ties included.
 double_word draw_word(families::random& r) {
     const double high = draw(r);
     const double half = std::ldexp(1.0, std::ilogb(high) - 53);
@@ -91,7 +91,7 @@ TEST_CASE("each operation keeps its published bound") {
         families::random r(2, i);
         const double_word x = draw_word(r);
         double_word y = draw_word(r);
-        if (r.one_in(4)) { // cancel nearly all of x
+        if (r.one_in(4)) { // cancels nearly all of x
             y = double_word::sum(-x.high(), std::ldexp(draw(r), -53));
         }
         const mpq_class a = exact(x);
@@ -164,7 +164,7 @@ TEST_CASE("bounded words know how wrong they can be") {
         }
         const bounded_word none = b * (c - c);
         CHECK(none.is_zero());
-        // Doubles that are the exact result have no error.
+        // Results that are doubles have no error.
         const double small = std::floor(std::ldexp(s, 10)), other = std::floor(std::ldexp(std::fabs(t), 10)) + 1;
         CHECK((bounded_word(small) * bounded_word(other)).error() == 0);
         CHECK((bounded_word(small * other) / bounded_word(other)).error() == 0);
@@ -176,7 +176,7 @@ TEST_CASE("bounded words know how wrong they can be") {
     CHECK(!std::isfinite(sqrt(bounded_word(-1)).error()));
 }
 
-// The formulas as they are: |Δx + Δu τ| = R to 2^-95 of the lengths, where doubles leave 2^-45.
+// The formulas unchanged: |Δx + Δu τ| = R to 2^-95 of the lengths, where doubles only get to 2^-45.
 TEST_CASE("solve runs in double words") {
     int hits = 0;
     for (std::uint64_t i = 0; i < 4000; ++i) {

@@ -1,4 +1,4 @@
-// The square root of constant expressions against the processor's, which IEEE 754 demands to be correctly rounded.
+// The square root in constant expressions against the processor's, which IEEE 754 requires to be correctly rounded.
 #include <graze/number/floating.hpp>
 
 #include <doctest/doctest.h>
@@ -47,7 +47,7 @@ TEST_CASE("constant_sqrt on subnormals") {
     CHECK(differences == 0);
 }
 
-// The hardest: x beside the square of a middle between two doubles, and beside squares.
+// The hardest cases: x next to the square of a middle between two doubles, and next to squares.
 TEST_CASE("constant_sqrt beside squares, their middles and powers of two") {
     std::mt19937_64 bits(20230609);
     differences = 0;

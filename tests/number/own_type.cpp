@@ -1,4 +1,4 @@
-// A user's number type in a namespace with functions of the same names: the formulas must not call those.
+// A user's number type in a namespace that has functions of the same names: the formulas must not call those.
 #include <graze/graze.hpp>
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ struct metres {
     friend auto operator<=>(metres, metres) = default;
 };
 
-// Not what graze means by these names.
+// These are not what graze means by the names.
 inline bool sign(metres x) { return x.value < 0; }
 inline metres twice(metres) { return metres(-1); }
 inline metres square_root(metres) { return metres(-1); }
@@ -41,7 +41,7 @@ static graze::vec<3, T> point(double x, double y, double z) {
     return {{T(x), T(y), T(z)}};
 }
 
-// What T gives, as doubles.
+// T's results, as doubles.
 template <class T, class F>
 static void check_same(const graze::vec<3, T>& x, const graze::vec<3, double>& y, F value) {
     for (int i = 0; i < 3; ++i) {

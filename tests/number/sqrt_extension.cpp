@@ -1,4 +1,4 @@
-// p + q√d against MPFR. For whole p, q, d it is 0 or at least 1/(|p| + |q|√d), so that enough digits decide its sign.
+// p + q√d, compared with MPFR. For whole p, q, d it is 0 or at least 1/(|p| + |q|√d), so enough digits decide its sign.
 #include <graze/number/adapter/gmp.hpp>
 #include <graze/number/sqrt_extension.hpp>
 
@@ -27,7 +27,7 @@ class real {
         mpfr_mul_q(x_, x_, q.get_mpq_t(), MPFR_RNDN);
         mpfr_add_q(x_, x_, p.get_mpq_t(), MPFR_RNDN);
     }
-    // Of a value known to be 0 or more than 2^-200 in size.
+    // For a value known to be 0 or above 2^-200 in magnitude.
     int sign() const { return mpfr_zero_p(x_) || mpfr_get_exp(x_) < -200 ? 0 : mpfr_sgn(x_); }
     friend real operator-(const real& x, const real& y) {
         real z;
@@ -41,7 +41,7 @@ class real {
 
 int whole(int limit) { return *rc::gen::inRange(-limit, limit + 1); }
 
-// Small numbers make zeros and rational roots common; large ones with p² near q²d make near zeros.
+// Small numbers make zeros and rational roots frequent; large ones with p² near q²d make near zeros.
 extension draw(int d) { return {gmp_rational(whole(12)), gmp_rational(whole(4)), gmp_rational(d)}; }
 int draw_radicand() { return *rc::gen::element(0, 1, 2, 3, 4, 5, 7, 9, 16, 18, 100); }
 

@@ -1,5 +1,5 @@
-// Positions and velocities at the contact, in exact arithmetic: the normal is along the line of centres (or from the
-// wall's closest point), and a velocity changes along it alone, so that momentum and energy are conserved.
+// Positions and velocities at the contact, in exact arithmetic. The normal is along the line of centres (or from the
+// wall's closest point), and velocities change along it only, so that momentum and energy are conserved.
 #pragma once
 
 #include "encounter.hpp"
@@ -37,7 +37,7 @@ surd_vector<N> unit(const surd_vector<N>& x) {
     if (root * root == product) {
         return rational(1 / mpq_class(root, square.get_den())) * x;
     }
-    return (square_root(square) / square) * x; // only for rational x: its root is another than x's
+    return (square_root(square) / square) * x; // for a rational x only: the root is over another radicand than x's
 }
 
 // inverse_a, inverse_b: of the masses. The answer is that of meet(a, b), a collision.
@@ -101,7 +101,7 @@ wall_contact<N> contact(const graze::ball<N, T>& b, const graze::plane<N, T>& p,
     return contact_with_face(b, exact_vector<N>(p.point), exact_vector<N>(p.normal), met);
 }
 
-// where, index: any of the features that are met.
+// where, index: any one of the features that are met.
 template <int N, class T, class Wall>
 wall_contact<N> contact(const graze::ball<N, T>& b, const Wall& wall, const answer& met, feature where, int index) {
     surd_vector<N> corner = exact_vector<N>(wall.corner);

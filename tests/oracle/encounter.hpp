@@ -1,9 +1,9 @@
 // The encounter of a ball with a ball, a plane, a wall or a triangle, in exact arithmetic, by another method than the
 // library's.
 //
-// The square of the distance between a moving centre and a thing is the least of a few parabolas, each of which holds
-// over an interval of time: one for a ball, for the wall's face, and for each of its edges and corners. Their minima
-// over these intervals, and the roots of those that reach r², are all that is needed.
+// The squared distance between a moving centre and a thing is the least of a few parabolas, each of which holds over an
+// interval of time: one for a ball, one for a wall's face, and one for each of its edges and corners. Their minima over
+// these intervals, and the roots of those that reach r², are all that is needed.
 #pragma once
 
 #include "lift.hpp"
@@ -26,9 +26,9 @@ inline bool is_collision(encounter e) { return e != encounter::recede && e != en
 
 struct answer {
     encounter what = encounter::recede;
-    bool overlaps = false;    // nearer than at contact now, whatever comes next
+    bool overlaps = false;    // nearer than at the contact now, whatever follows
     std::optional<surd> time; // of a collision, in the inputs' unit
-    // Which features are met at that time; of a recede or an overlap: which are closest now. Walls only.
+    // For walls: the features that are met at that time or, for a recede or an overlap, closest now.
     bool face = false;
     unsigned edges = 0, corners = 0; // bit i: edge or corner i
     std::vector<piece> pieces;
@@ -40,7 +40,7 @@ struct answer {
     bool has(feature f, int index) const {
         return f == feature::face ? face : ((f == feature::edge ? edges : corners) >> index & 1) != 0;
     }
-    // The feature that the rule of ties names.
+    // The feature that counts if several are met.
     feature where() const { return face ? feature::face : edges != 0 ? feature::edge : feature::corner; }
     void add(const piece& p) {
         face = face || p.where == feature::face;
@@ -135,7 +135,7 @@ answer meet(const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
 template <int N, class T>
 answer meet(const graze::ball<N, T>& b, const graze::plane<N, T>& p) {
     groups<T> g;
-    group<input_type<T>> normal; // its length has no meaning
+    group<input_type<T>> normal; // its length does not matter
     collect<N>(g.lengths, b.position);
     collect<N>(g.lengths, p.point);
     g.lengths.collect(input(b.radius));
@@ -151,7 +151,7 @@ answer meet(const graze::ball<N, T>& b, const graze::plane<N, T>& p) {
     return encounter_of({plane_piece(height, speed, dot<N>(n, n), r)}, r == 0, speed != 0, g.time());
 }
 
-// A ball seen from the corner of a wall or a triangle.
+// A ball relative to the corner of a wall or a triangle.
 template <int N>
 struct seen_from_corner {
     point<N> w, u;
@@ -181,7 +181,7 @@ seen_from_corner<N> seen(const graze::ball<N, T>& b, const Shape& shape) {
     return s;
 }
 
-// The face of a wall or a triangle in space; of a triangle λ_0 + λ_1 ends at 1 as well. λ_i by Gram's determinants.
+// The face of a wall or a triangle in space; in a triangle, λ_0 + λ_1 ends at 1, too. λ_i by Gram's determinants.
 inline piece face_piece(const seen_from_corner<3>& s, bool is_triangle) {
     const auto& e = s.e;
     const mpz_class e00 = dot<3>(e[0], e[0]), e01 = dot<3>(e[0], e[1]), e11 = dot<3>(e[1], e[1]);

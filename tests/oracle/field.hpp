@@ -8,8 +8,8 @@
 
 namespace oracle {
 
-// The same value with less common factors: of small numbers the powers of two alone, which come from the inputs. A
-// greatest common divisor takes longer than the few products that it makes shorter.
+// The same value with fewer common factors: for small numbers only powers of two, which come from the inputs. A
+// greatest common divisor takes longer than the few products that it would shorten.
 inline surd reduced(surd x) {
     if (x.q == 0) {
         x.d = 0;
@@ -57,7 +57,7 @@ inline surd operator/(const surd& x, const mpq_class& y) { return x * rational(1
 // √x of a rational x >= 0.
 inline surd square_root(const mpq_class& x) { return {0, 1, x.get_num() * x.get_den(), x.get_den()}; }
 
-// The value of a surd that is rational (possibly as p + q√d with √d rational).
+// The value of a surd that is rational, possibly as p + q√d with a rational √d.
 inline mpq_class rational_value(const surd& x) {
     if (x.q == 0) {
         mpq_class value(x.p, x.r);

@@ -1,4 +1,4 @@
-// The encounter of flights, in exact arithmetic: both are moved to the later epoch as rationals, and then treated as
+// The encounter of flights, in exact arithmetic: both are moved to the later epoch in rationals, and then treated as
 // balls.
 #pragma once
 
@@ -20,7 +20,7 @@ graze::vec<N, mpq_class> rationals(const V& v) {
     return x;
 }
 
-// The ball that a flight is at the time t.
+// The ball that a flight is at time t.
 template <int N, class T>
 graze::ball<N, mpq_class> ball_at(const graze::flight<N, T>& f, const mpq_class& t) {
     graze::ball<N, mpq_class> b{rationals<N>(f.state.position), rationals<N>(f.state.velocity),
@@ -50,7 +50,7 @@ graze::wall<N, mpq_class> exact(const graze::wall<N, T>& w) {
     return r;
 }
 
-// A pair from `start` on, as balls and shapes of rationals; `met` counts from there, `time` from 0.
+// A pair at the instant `start`, as balls and shapes of rationals. `met` counts from there, `time` from 0.
 template <class Other, int N>
 struct flight_answer {
     mpq_class start;

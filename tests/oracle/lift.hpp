@@ -47,7 +47,7 @@ point<N> operator+(const point<N>& x, const point<N>& y) {
     return sum;
 }
 
-// Numbers of one kind, first collected, then given out in the same order as integers; value = integer · unit.
+// Numbers of one kind: collected first, then given out in the same order as integers; value = integer · unit.
 template <class T>
 class group;
 

@@ -22,7 +22,7 @@ struct piece {
     std::optional<mpq_class> low, high;
     bool never = false;
 
-    // Only while 0 <= start + t·speed <= end.
+    // Restricts it to the times at which 0 <= start + t·speed <= end.
     void only_within(const mpz_class& start, const mpz_class& speed, const mpz_class& end) {
         if (speed == 0) {
             never = never || start < 0 || start > end;

@@ -20,7 +20,7 @@ bool is_even(T y) {
     }
 }
 
-// |y| = significand · 2^exponent with all the bits of the format; of an infinity, the power of two that follows the
+// |y| = significand · 2^exponent with all the bits of the format; for an infinity, the power of two that follows the
 // largest number.
 struct binary_number {
     mpz_class significand;
@@ -54,7 +54,7 @@ inline int compare(const surd& x, const mpz_class& m, int exponent) {
 
 enum class verdict { wrong, right, tied }; // tied: right, and exactly in the middle between two numbers
 
-// Whether y is x rounded, ties to even. An exact zero is rounded to +0; a number that is not zero keeps its sign.
+// Whether y is x rounded, ties to even. An exact zero rounds to +0; any other number keeps its sign.
 template <std::floating_point T>
 verdict judged(const surd& x, T y) {
     const int sign = sign_of(x);
@@ -106,7 +106,7 @@ bool is_rounded(const surd& x, T y, direction to = direction::nearest) {
         const binary_number b = taken_apart(z);
         return compare(magnitude, b.significand, b.exponent);
     };
-    if ((to == direction::downward) == (sign > 0)) { // towards zero: the largest that is not above
+    if ((to == direction::downward) == (sign > 0)) { // towards zero: the largest number that is not above
         return size != infinity && against(size) >= 0 &&
                (size == std::numeric_limits<T>::max() || against(std::nextafter(size, infinity)) < 0);
     }

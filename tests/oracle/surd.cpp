@@ -1,4 +1,4 @@
-// The oracle's own arithmetic against MPFR at 4000 bits.
+// The oracle's own arithmetic, compared with MPFR at 4000 bits.
 #include "encounter.hpp"
 #include "field.hpp"
 
@@ -24,7 +24,7 @@ class real {
     ~real() { mpfr_clear(x_); }
 
     double nearest() const { return mpfr_get_d(x_, MPFR_RNDN); }
-    // The sign of x - y, which is 0 or more than 2^-2000.
+    // The sign of x - y, which is 0 or above 2^-2000 in magnitude.
     int against(const real& y) const {
         mpfr_t difference;
         mpfr_init2(difference, 4000);
@@ -58,7 +58,7 @@ TEST_CASE("surds are ordered as their values are") {
     CHECK(rc::check("near ones", [] {
         oracle::surd x = draw(1L << 20, 1L << 20);
         RC_PRE(x.d > 0);
-        oracle::surd y = x; // the same value over another root, and one step beside it
+        oracle::surd y = x; // the same value over another root, and one slightly different
         y.d *= 9;
         y.p *= 3;
         y.r *= 3;
@@ -76,7 +76,7 @@ TEST_CASE("surds are rounded as MPFR rounds") {
         (k < 0 ? x.r : x.p) <<= static_cast<unsigned long>(k < 0 ? 0 : k);
         RC_ASSERT(oracle::nearest_double(x) == real(x).nearest());
     }));
-    // Exactly between two doubles: to the even one.
+    // Exactly between two doubles, so it rounds to the even one.
     const graze::ball<2> a{{{1 + 0x1p-52, 0}}, {{-1, 0}}, 0x1p-53}, b{{{0, 0}}, {{0, 0}}, 0};
     CHECK(oracle::nearest_double(*oracle::meet(a, b).time) == 1);
     const graze::ball<2> c{{{1 + 0x1p-51, 0}}, {{-1, 0}}, 0x1p-53};

@@ -51,7 +51,7 @@ inline int compare(const surd& x, const surd& y) {
 }
 inline int compare(const surd& x, const mpq_class& y) { return compare(x, rational(y)); }
 
-// A rational within 2^-bits (relative to the greater of |x| and 2^-1100) of x.
+// A rational within 2^-bits of x, relative to the greater of |x| and 2^-1100.
 inline mpq_class approximate(const surd& x, unsigned long bits = 80) {
     for (unsigned long k = bits;; k *= 2) {
         const mpz_class scaled = x.d << 2 * k;
@@ -59,7 +59,7 @@ inline mpq_class approximate(const surd& x, unsigned long bits = 80) {
         const mpz_class sum = (x.p << k) + x.q * root;
         const mpz_class error = abs(x.q); // |sum - true| < |q|
         if (error == 0 || abs(sum) >= error << bits ||
-            (error << (bits + 1100)) <= x.r << k) { // relative, or absolute for what is nearly zero
+            (error << (bits + 1100)) <= x.r << k) { // relative to x, or absolute if x is nearly zero
             mpq_class value(sum, x.r << k);
             value.canonicalize();
             return value;
@@ -67,14 +67,14 @@ inline mpq_class approximate(const surd& x, unsigned long bits = 80) {
     }
 }
 
-// x rounded to the nearest double, ties to even; the overflow to infinity is at the middle beyond the largest double.
+// x rounded to the nearest double, ties to even. It overflows from the middle beyond the largest double on.
 inline double nearest_double(const surd& x) {
     if (sign_of(x) == 0) {
         return 0.0;
     }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto exact = [](double y) {
-        if (std::isinf(y)) { // stands for the next power of two
+        if (std::isinf(y)) { // it stands for the next power of two
             mpq_class power(mpz_class(1) << 1024);
             return y < 0 ? mpq_class(-power) : power;
         }

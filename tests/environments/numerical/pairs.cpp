@@ -1,5 +1,5 @@
-// The sign of the discriminant of hard pairs, a line a pair: by a form in doubles, which NumericalStabilitySanitizer
-// watches, or with EXACT defined by integers. NSan's reports appear between the lines.
+// The sign of the discriminant of hard pairs, a line for each pair: in doubles by one form, which
+// NumericalStabilitySanitizer watches, or, if EXACT is defined, in integers. NSan's reports appear between the lines.
 //   pairs FAMILY FORM COUNT
 #include "../../../examples/families/families.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 using ball = graze::ball<2, double>;
 
 #ifdef EXACT
-// Of pairs that come closer and do not overlap: hit, graze and miss tell the sign of D. Others have no line.
+// For pairs that come closer and do not overlap, hit, graze or miss tells the sign of D. Other pairs have no line.
 int sign_of(std::string_view, const ball& a, const ball& b) {
     const auto what = graze::classify(a, b);
     return what == graze::encounter::hit     ? 1

@@ -44,8 +44,8 @@ bool is_within(const T& x, double bound) {
     }
 }
 
-// Ring arithmetic, signs and the name, on whole numbers, which every type holds exactly. unit: the relative error of a
-// quotient and a root that could be exact; not 0 where the type does not round correctly.
+// Ring arithmetic, signs and the name, on whole numbers, which every type holds exactly. unit: the relative error
+// allowed for quotients and roots that have an exact result; 0 unless the type does not round correctly.
 template <class T>
 void check(std::string_view name, double unit = 0) {
     CHECK(std::string_view(graze::number_traits<T>::name) == name);
@@ -83,7 +83,7 @@ void check_fma() {
     CHECK(graze::sign(T(graze::number_traits<T>::fma(above, below, T(-1)) + u * u)) == 0);
 }
 
-// The type is as fine as it says, and no finer: 1 + 2^-(digits - 1) is not 1, and 1 + 2^-(digits + slack) is.
+// The type has the stated digits and no more: 1 + 2^-(digits - 1) is not 1, and 1 + 2^-(digits + slack) is.
 template <class T>
 void check_digits(int slack = 0) {
     T u(1);

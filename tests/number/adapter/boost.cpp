@@ -22,10 +22,10 @@ static_assert(adapter::satisfies<value<mp::cpp_rational_backend>, kind::exact_fi
 static_assert(adapter::satisfies<value<mp::cpp_int_backend<>>, kind::exact_ring, false, false>());
 static_assert(adapter::satisfies<fixed_integer<mp::checked>, kind::exact_ring, false, false>());
 
-// One that wraps silently is not exact.
+// A type that wraps silently is not exact.
 static_assert(graze::number<fixed_integer<mp::unchecked>> && !graze::exact_number<fixed_integer<mp::unchecked>>);
 
-// With expression templates on they are no numbers: it is their sums that are not.
+// With expression templates they are no numbers, because their sums are not.
 static_assert(graze::number_value<mp::cpp_rational> && !graze::sum_is_a_value<mp::cpp_rational>);
 static_assert(!graze::number<mp::cpp_rational> && !graze::number<mp::cpp_int>);
 static_assert(!graze::number<mp::number<mp::cpp_bin_float<50>, mp::et_on>>);

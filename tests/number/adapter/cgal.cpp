@@ -12,7 +12,7 @@ static_assert(adapter::satisfies<CGAL::Lazy_exact_nt<CGAL::Exact_rational>, kind
 static_assert(adapter::satisfies<CGAL::Interval_nt<>, kind::inexact_field, true, false>());
 static_assert(adapter::satisfies<CORE::Expr, kind::exact_field, true, false>());
 
-// With Boost it is its rational with expression templates on.
+// If CGAL uses Boost, this is Boost's rational with expression templates.
 static_assert(!graze::number<CGAL::Exact_rational>);
 
 TEST_CASE("CGAL's exact types") {

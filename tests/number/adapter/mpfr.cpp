@@ -9,7 +9,7 @@ using on_the_stack = mp::number<mp::mpfr_float_backend<50, mp::allocate_stack>, 
 static_assert(adapter::satisfies<mpfr_float_50, adapter::kind::inexact_field, true, true>());
 static_assert(adapter::satisfies<on_the_stack, adapter::kind::inexact_field, true, true>());
 static_assert(!graze::number<mp::mpfr_float_50>);                                 // expression templates
-static_assert(!graze::number<mp::number<mp::mpfr_float_backend<0>, mp::et_off>>); // precision of run time
+static_assert(!graze::number<mp::number<mp::mpfr_float_backend<0>, mp::et_off>>); // its precision is chosen at run time
 
 TEST_CASE("MPFR through Boost") {
     adapter::check<mpfr_float_50>("mpfr_float_50");
