@@ -125,7 +125,7 @@ std::vector<std::filesystem::path> write_accepted(const std::filesystem::path& f
         }
         touched.insert(k.of);
         accepted_line& line = after[k];
-        if (!line.expected_to_fail) { // that is a goal
+        if (!line.expected_to_fail) { // otherwise it is a goal
             line.accepted = f;
         }
     }
@@ -135,14 +135,14 @@ std::vector<std::filesystem::path> write_accepted(const std::filesystem::path& f
         const std::filesystem::path file = file_of(folder, q);
         std::filesystem::path renewed = file;
         renewed += ".new";
-        // The command alone is no change.
+        // A change of the command alone is no change.
         const auto figures_in = [](const std::string& text) {
             const auto at = text.find("\n# variant ");
             return at == std::string::npos ? text : text.substr(at);
         };
         const std::string text = text_of(q, after, command);
         if (figures_in(whole_text(file)) == figures_in(text)) {
-            std::filesystem::remove(renewed); // of an earlier run
+            std::filesystem::remove(renewed); // left by an earlier run
             continue;
         }
         std::ofstream out(renewed);

@@ -27,7 +27,7 @@ std::string told(double x) {
 
 std::string share(std::size_t part, std::size_t whole) { return std::to_string(part) + " of " + std::to_string(whole); }
 
-// The numbers in decimals, by name.
+// The pair's numbers in decimals, with their names.
 template <int N>
 std::string in_words(const pair<N>& p) {
     std::ostringstream out;
@@ -157,13 +157,13 @@ void write(const std::filesystem::path& file, const std::string& text) {
     }
 }
 
-// A greater share of the values, by their cross products.
+// Whether a greater share of the values is misrounded; compares by cross products.
 bool more_are_misrounded(const figures& now, const figures& accepted) {
     return now.misrounded != 0 &&
            now.misrounded * std::max<std::size_t>(accepted.values, 1) > accepted.misrounded * now.values;
 }
 
-// The worst pair and the question whether another one is as bad.
+// The worst pair, and the question whether another pair is as bad.
 struct witness {
     std::size_t at;
     std::function<bool(const verdict&)> is_bad;
@@ -182,7 +182,7 @@ std::optional<witness> witness_of(const figures& now, const figures& accepted) {
     return std::nullopt;
 }
 
-// What graze's own formula in as many digits says of the pair.
+// The answer of graze's own formula in as many digits to the same pair.
 std::string beside_accepted(const reference& accepted, quantity of, const any_pair& p, bool is_loss) {
     if (!accepted.exists()) {
         return "";
@@ -200,7 +200,7 @@ std::string beside_accepted(const reference& accepted, quantity of, const any_pa
     return text + (is_loss ? "\n" : "; no pair of the family was found that it has right and that shows the loss\n");
 }
 
-// The command that shows the pair in this type and formula, where graze-compare knows both.
+// The command that shows the pair in this type and formula; empty unless graze-compare knows both.
 std::string compare_command(const key& k, const std::string& scene) {
     const auto dot = k.variant.find('.');
     const std::string form = k.variant.substr(0, dot);
@@ -250,9 +250,9 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
     std::string repeat = program + " --only " + quoted(to_string(k)) + " " + about.inputs_option +
                          about.accepted_option + " --results " + quoted(about.results.string());
     if (const auto found = witness_of(now, accepted)) {
-        const bool is_order = k.of == quantity::order; // of a pair and the one before it
+        const bool is_order = k.of == quantity::order; // of a pair and its predecessor
         const reference accepted_build(formula, k.of, about.as_variant);
-        // Bad, and not so for an accepted build, or at least half as bad for it: else the input is to blame.
+        // Bad, and right or at most half as bad in an accepted build: otherwise the input is to blame.
         const auto is_bad = [&](const any_pair& p, const any_pair* second) {
             const auto v = judge_one(formula, k.of, p, second);
             return v && found->is_bad(*v);
@@ -271,7 +271,7 @@ std::string tell(const key& k, const figures& now, const figures& accepted, cons
         const auto as_held = [&](const any_pair& p) {
             return std::visit([&](const auto& q) -> any_pair { return held(q, formula.type).value_or(q); }, p);
         };
-        // The witness, or another pair that an accepted build has right.
+        // The witness, or another pair that an accepted build gets right.
         std::size_t at = found->at;
         bool is_loss = is_lost(pairs.pairs[at], is_order ? &pairs.pairs[at - 1] : nullptr);
         for (std::size_t i = is_order ? 1 : 0; i < pairs.pairs.size() && !is_loss; ++i) {

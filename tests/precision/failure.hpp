@@ -5,23 +5,23 @@
 
 namespace precision {
 
-// How this program was made and asked, for messages.
+// How this program was compiled and called, for messages.
 struct circumstances {
     std::string program, compiler, flags;
-    std::string inputs_option, accepted_option; // by which inputs and accepted figures are named again
-    std::filesystem::path results;              // where shrunk inputs and scenes are written
-    std::string as_variant;                     // whose accepted figures are compared with; empty: the formula's own
+    std::string inputs_option, accepted_option; // to name inputs and accepted figures in commands
+    std::filesystem::path results;              // where to write shrunk inputs and scenes
+    std::string as_variant;                     // compare with this variant's figures; empty: the formula's own
 };
 
-// What is worse than accepted; empty if nothing is. For figures that promise to be correctly rounded, what is wrong at
-// all.
+// What is worse than accepted; empty if nothing is. For figures that promise correct rounding: everything that is
+// wrong.
 [[nodiscard]] std::vector<std::string> losses(const figures& now, const figures& accepted);
 
-// "none" where there are no flags.
+// "none" if there are no flags.
 [[nodiscard]] std::string flags_or_none(const std::string& flags);
 
-// The message, with the smallest input found that shows the loss and that an accepted build (see reference.hpp) has
-// right, or less wrong by half; it is also written to files.
+// The message, with the smallest input found that shows the loss and that an accepted build (see reference.hpp) gets
+// right or at most half as wrong. The input is also written to files.
 [[nodiscard]] std::string tell(const key& k, const figures& now, const figures& accepted, const subject& formula,
                                const family& pairs, const circumstances& about);
 

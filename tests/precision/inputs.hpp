@@ -16,8 +16,8 @@ using graze::precision::pair;
 
 using any_pair = std::variant<pair<2>, pair<3>>;
 
-// The pair's numbers in the order of the files: the ball's position, velocity, radius and mass; then those of the other
-// ball, or the plane's point and normal, or the wall's or triangle's corner and edges.
+// The pair's numbers in the order of the files: position, velocity, radius and mass of the ball, then of the other
+// ball; or the plane's point and normal; or the corner and edges of the wall or triangle.
 template <int N>
 [[nodiscard]] std::vector<double> numbers_of(const pair<N>& p);
 template <int N>
@@ -26,10 +26,10 @@ void set_numbers(pair<N>& p, const std::vector<double>& numbers);
 // One line: what meets, the dimension, and the numbers as hexadecimal floats.
 //   ball-ball 2 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x1p-1 0x1p+0 0x1p+3 ...
 [[nodiscard]] std::string to_line(const any_pair& p);
-// std::runtime_error that says what is wrong with it.
+// Throws std::runtime_error, which says what is wrong with the line.
 [[nodiscard]] any_pair from_line(const std::string& line);
 
-// As a scene that graze-compare reads. other: two balls, which are in it as well.
+// The pair as a scene that graze-compare reads. other: a second pair of balls, which are added to the scene.
 [[nodiscard]] std::string to_scene(const any_pair& p, const std::string& name, const any_pair* other = nullptr);
 
 // The pairs of one name, in order.
@@ -38,15 +38,15 @@ struct family {
     std::vector<any_pair> pairs;
 };
 
-// `count` pairs of each family, in the plane and in space by turns two by two, since some families come in twos; the
-// same on every machine.
+// `count` pairs of each family, the same on every machine: two in the plane, then two in space, and so on, since the
+// pairs of some families come in twos.
 [[nodiscard]] std::vector<family> drawn_families(std::size_t count, std::uint64_t seed);
 
-// The family `triangles`: the halves, at their corners, of the walls in space of the families about walls.
+// The family `triangles`: of each family's walls in space, the halves at their corners.
 [[nodiscard]] family drawn_triangles(std::size_t count, std::uint64_t seed);
 
-// A file of kept inputs: lines as above; `#` begins a remark, and `# origin: ` one that every pair must come after, the
-// command that found it. Named by the file. std::runtime_error with file and line.
+// Reads a file of kept inputs, whose name the family gets: lines as above. `#` begins a remark, and `# origin: ` the
+// command that found the pairs after it; every pair must come after one. Throws std::runtime_error with file and line.
 [[nodiscard]] family read_inputs(const std::filesystem::path& file);
 
 } // namespace precision

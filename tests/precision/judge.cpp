@@ -30,7 +30,7 @@ mpq_class power_of_ten(long exponent) {
     return exponent < 0 ? mpq_class(1, power) : mpq_class(power);
 }
 
-// floor(log10|x|) for x != 0. With 2^e <= |x| < 2^(e+1) it is floor(e log10 2) or one more.
+// floor(log10|x|) for x != 0. If 2^e <= |x| < 2^(e+1), it is floor(e log10 2) or one more.
 long decimal_exponent_of(const mpq_class& x) {
     const long e = static_cast<long>(std::floor(static_cast<double>(exponent_of(x)) * std::log10(2.0)));
     return abs(x) < power_of_ten(e + 1) ? e : e + 1;
@@ -82,7 +82,7 @@ void judge_vector(const subject& formula, const std::vector<reading>& given, con
     }
 }
 
-// The k-th value of its quantity that the answer gives, against the k-th that there is.
+// Compares the k-th value that the answer gives for its quantity with the k-th true one.
 template <int N>
 void judge_values(const subject& formula, const answer& given, const truth<N>& right, verdicts& found) {
     const auto where = given.where ? static_cast<oracle::feature>(*given.where) : right.met().where();
@@ -100,7 +100,7 @@ void judge_values(const subject& formula, const answer& given, const truth<N>& r
         const auto& all = right.of(value.of, where, index);
         const std::size_t k = count[value.of]++;
         verdict& v = found[value.of];
-        if (k >= all.size()) { // there is no such number
+        if (k >= all.size()) { // there is no such true value
             v.wrong = true;
             continue;
         }
@@ -157,7 +157,7 @@ verdicts judge(const subject& formula, const pair<N>& p, const truth<N>& right) 
         if (v.wrong || !collides) {
             return found;
         }
-    } else if (given->values.empty()) { // nothing, which is right where there is nothing
+    } else if (given->values.empty()) { // no value is right if there is none
         found[formula.measures].wrong = collides;
         return found;
     }

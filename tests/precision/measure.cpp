@@ -26,7 +26,7 @@ void check_names(const graze::precision::subjects& formulas) {
     }
 }
 
-// The errors of one key until all are known.
+// The errors of one key, collected until all are known.
 struct collected {
     figures so_far;
     std::vector<double> errors;
@@ -60,7 +60,7 @@ struct collected {
     }
 };
 
-// A pair as a type holds it, with the truth about it; most types hold all doubles and share both.
+// A pair as a type holds it, with the truth about it. Types that hold all doubles share both.
 template <int N>
 struct question {
     pair<N> asked;
@@ -75,7 +75,7 @@ bool same(const pair<N>& p, const pair<N>& q) {
     return numbers_of(p) == numbers_of(q);
 }
 
-// The pairs of dimension N, at their places in the family; empty elsewhere.
+// The pairs of dimension N at their places in the family; the other places are empty.
 template <int N>
 shared_questions<N> questions_of(const family& f) {
     shared_questions<N> all(f.pairs.size());
@@ -187,7 +187,7 @@ std::optional<pair<N>> held(const pair<N>& p, const graze::precision::number_typ
         pair<N> result = p;
         set_numbers(result, numbers);
         return is_valid(result) ? std::optional(result) : std::nullopt;
-    } catch (const std::exception&) { // beyond the type's range
+    } catch (const std::exception&) { // out of the type's range
         return std::nullopt;
     }
 }

@@ -37,7 +37,7 @@ mpq_class shifted(mpq_class x, long by) {
     return x;
 }
 
-// To the nearest number of so many digits, ties to even.
+// The nearest number with this many digits, ties to even.
 mpq_class rounded(const mpq_class& x) {
     if (x == 0) {
         return x;
@@ -61,7 +61,7 @@ class rounded_number {
         y.value_ = rounded(x);
         return y;
     }
-    [[nodiscard]] static rounded_number infinity() { // of a mass
+    [[nodiscard]] static rounded_number infinity() { // for a mass
         rounded_number y(0);
         y.is_infinite_ = true;
         return y;
@@ -111,7 +111,7 @@ struct graze::number_traits<::precision::rounded_number> {
         if (x.value() == 0) {
             return 0;
         }
-        // The root's whole part, with two bits more than are kept and a last one that tells whether anything is left.
+        // The root's whole part, with two bits more than are kept, and a last bit that tells whether anything is left.
         const long unit = ::precision::exponent(x.value()) / 2 - ::precision::digits_of_reference - 3;
         const mpq_class scaled = ::precision::shifted(x.value(), -2 * unit);
         mpz_class whole = scaled.get_num() / scaled.get_den(), root = ::sqrt(whole);
@@ -153,7 +153,7 @@ namespace precision {
 
 namespace {
 
-// Sets the number of digits for the time of a call.
+// Sets the number of digits during a call.
 class with_digits final : public subject {
   public:
     with_digits(std::unique_ptr<subject> of, const graze::precision::number_type& as) : of_(std::move(of)) {
@@ -204,7 +204,7 @@ reference::reference(const subject& formula, quantity of, const std::string& var
     std::erase_if(all, [&](const auto& s) { return !computes(*s, of); });
     const std::string name = variant.empty() ? formula.variant : variant;
     const auto same = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s->variant == name; });
-    if (!all.empty()) { // the last ones are Lagrange's form, which loses least
+    if (!all.empty()) { // the last one has Lagrange's form, which loses least
         const auto chosen = same != all.end() ? same : std::find_if(all.begin(), all.end(), [](const auto& s) {
             return s->variant.starts_with("lagrange");
         });

@@ -1,5 +1,5 @@
-// What an accepted build would say: graze's own formulas in numbers of as many digits as a type has, each operation
-// rounded to nearest, and without a limit of range.
+// What an accepted build would answer: graze's own formulas in numbers with as many digits as a type has, each
+// operation rounded to nearest, with unlimited range.
 #pragma once
 
 #include "judge.hpp"
@@ -12,15 +12,15 @@ namespace precision {
 
 class reference {
   public:
-    // For a formula that computes `of`: graze's own of that name, or of `variant` if that is given, or any that
-    // computes it where there is none of that name.
+    // For a formula that computes `of`: graze's own of the same name or, if given, of the name `variant`; if there is
+    // none of that name, any that computes it.
     reference(const subject& formula, quantity of, const std::string& variant = {});
 
-    // Whether there is any.
+    // Whether graze has such a formula.
     [[nodiscard]] bool exists() const { return !formulas_.empty(); }
     // Its name, "halved.stable".
     [[nodiscard]] std::string name() const { return formulas_.front()->variant; }
-    // What it says, as the type holds the pair.
+    // The formula; it takes the pair as the type holds it.
     [[nodiscard]] const subject& formula() const { return *formulas_.front(); }
 
   private:

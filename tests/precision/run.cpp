@@ -69,7 +69,7 @@ std::vector<family> families_asked(const options& o) {
     return all;
 }
 
-// The options that name the inputs. short_paths: as the accepted figures tell them, without folders of this machine.
+// The options that name the inputs. short_paths: without this machine's folders, as in the accepted figures.
 std::string command_of(const options& o, bool short_paths = false) {
     const auto told = [&](const std::filesystem::path& path) {
         return short_paths ? path.filename().string() : quoted(path.string());
@@ -122,7 +122,7 @@ class comparison {
 
     [[nodiscard]] const std::vector<key>& losses() const { return lost_; }
     [[nodiscard]] std::size_t unaccepted() const { return new_.size(); }
-    // Whether a formula that promises to be right was wrong.
+    // Whether a formula that promises correct rounding was wrong.
     [[nodiscard]] bool promise_is_broken() const { return promise_is_broken_; }
 
     int finish(std::ostream& out) const {
@@ -170,7 +170,7 @@ class comparison {
             new_.push_back(k);
             return;
         }
-        figures before; // what is promised: nothing is wrong
+        figures before; // the promise: nothing is wrong
         if (now.correctly_rounded) {
             before.pairs = now.pairs;
             before.values = now.values;
@@ -181,7 +181,7 @@ class comparison {
             before.largest *= 1 + asked_.tolerance / 100;
         }
         if (other != k) {
-            before.pairs = std::min(before.pairs, now.pairs); // a type of another range holds other pairs
+            before.pairs = std::min(before.pairs, now.pairs); // a type with another range holds other pairs
         }
         const bool is_worse = !precision::losses(now, before).empty();
         if (!now.correctly_rounded && line->second.expected_to_fail) {
@@ -199,7 +199,7 @@ class comparison {
         if (asked_.quiet) {
             return;
         }
-        constexpr std::size_t most = 3; // messages; all of it is in the results
+        constexpr std::size_t most = 3; // messages printed; the results have all
         if (lost_.size() <= most) {
             const auto formula = std::find_if(formulas_.begin(), formulas_.end(), [&](const auto& s) {
                 return s->variant == k.variant && s->type.name == k.type;
@@ -215,8 +215,8 @@ class comparison {
         }
     }
 
-    // Lines whose type was measured and which nothing stands for any more. Where the pairs of files are asked alone,
-    // other families are not expected.
+    // Finds accepted lines of measured types for which there are no figures any more. If only pairs from files were
+    // asked, lines of other families do not count.
     void look_for_unmeasured() {
         const auto is_asked = [&](const std::string& name) {
             return asked_.inputs.empty() && (!name.starts_with("kept.") || !asked_.kept.empty());
@@ -249,7 +249,7 @@ class comparison {
 
 std::filesystem::path results_file(const std::filesystem::path& folder) { return folder / "results.txt"; }
 
-// Takes away what an earlier run said, and finds out before the work whether anything can be written.
+// Removes the results of an earlier run, and checks before the work that results can be written.
 void start_results(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     if (!std::ofstream(results_file(folder))) {
@@ -305,8 +305,8 @@ int run_checked(const options& o, const std::string& program, const graze::preci
     }
     const std::string repeated = command_of(o);
     const circumstances about{program, compiler, flags, repeated, accepted_option(o), o.results, o.as_variant};
-    // Figures that are compared with another's, or that are meant to be worse, are nothing to accept; of several sets
-    // of flags one alone says what is accepted.
+    // Only a run's own figures can be accepted: not those compared with another's figures, nor those meant to be worse.
+    // With several sets of flags, one set alone decides what is accepted.
     const bool own_figures = o.as_variant.empty() && o.as_type.empty() && !o.expect_loss && !o.no_update;
     if (!o.accepted.empty() && own_figures && how != update::no) {
         for (const auto& file : write_accepted(o.accepted, accepted, measured, how,

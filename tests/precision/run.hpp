@@ -7,7 +7,7 @@
 
 namespace precision {
 
-// With the exit codes of `usage`. flags: those by which the formulas were compiled.
+// Returns the exit codes that `usage` lists. flags: those with which the formulas were compiled.
 [[nodiscard]] int run(int argc, char** argv, const graze::precision::subjects& formulas, const std::string& compiler,
                       const std::string& flags);
 

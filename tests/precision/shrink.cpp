@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t fraction_mask = (std::uint64_t{1} << 52U) - 1;
 
-// What a number costs its reader: nothing for 0, otherwise a sign, an exponent and the bits of its significand.
+// How much there is to read in a number: nothing for 0, else a sign, an exponent and the bits of its significand.
 long cost(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     if (bits << 1U == 0 || !std::isfinite(x)) {
@@ -21,7 +21,7 @@ long cost(double x) {
     return 8 + (std::signbit(x) ? 1 : 0) + 4 * length + std::labs(std::ilogb(x));
 }
 
-// Its leading bits alone.
+// Its leading bits only.
 double shortened(double x, int kept) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     return std::bit_cast<double>(bits & ~(fraction_mask >> static_cast<unsigned>(kept)));
@@ -39,7 +39,8 @@ std::vector<double> simpler(double x) {
     return all;
 }
 
-// Seen from the other thing: from its place and, if it is a ball, in its motion. Rounded, which the caller asks about.
+// The ball relative to the other thing's place and, if that is a ball, its motion. Rounded; the caller tests the
+// result.
 template <int N>
 pair<N> seen_from_other(pair<N> p, bool from_place, bool in_motion) {
     const auto take = [](graze::vec<N, double>& x, graze::vec<N, double>& origin) {

@@ -1,4 +1,4 @@
-// From a pair that shows a loss to a pair that is easier to read and shows it too.
+// From a pair that shows a loss to an easier one that shows it too.
 #pragma once
 
 #include "inputs.hpp"
@@ -7,8 +7,8 @@
 
 namespace precision {
 
-// Makes numbers 0, shortens their significands and takes out their exponents, as long as `still_shows` says so, until
-// nothing more can be taken away or it was asked `most` times.
+// Makes numbers 0, shortens their significands and removes their exponents, as long as `still_shows` returns true,
+// until nothing more can be removed or it was called `most` times.
 [[nodiscard]] any_pair shrunk(const any_pair& p, const std::function<bool(const any_pair&)>& still_shows,
                               std::size_t most = 2000);
 

@@ -1,4 +1,4 @@
-// The regression itself: the figures for answers of known error, the shrinking of failures, the flag that it blames.
+// The regression itself: figures for answers with known errors, the shrinking of failures, the flag that it blames.
 #include "failure.hpp"
 #include "shrink.hpp"
 #include "which_flag.hpp"
@@ -13,7 +13,7 @@
 
 namespace suite_test {
 
-// Decimal numbers of three digits, with just the operations that these tests need.
+// Decimal numbers of three digits, with only the operations that these tests need.
 struct decimal {
     double value = 0;
     decimal() = default;
@@ -56,7 +56,7 @@ using precision::any_pair;
 using precision::pair;
 using suite_test::decimal;
 
-// Answers that D is 16 and so many quarters of its unit in the last place, 2^-48.
+// Answers that D is 16 plus this many quarters of its unit in the last place, 2^-48.
 template <int Quarters>
 struct beside_16 {
     static constexpr const char* name = "beside";
@@ -69,7 +69,7 @@ struct beside_16 {
     }
 };
 
-// Answers that D is so many thousandths.
+// Answers that D is this many thousandths.
 template <int Thousandths>
 struct thousandths {
     static constexpr const char* name = "thousandths";
@@ -114,7 +114,7 @@ TEST_CASE("a decimal type is judged on what it holds, in its own unit") {
         return v.largest();
     };
     CHECK(error(std::integral_constant<int, 160>{}) == 0);
-    CHECK(error(std::integral_constant<int, 161>{}) == 1); // three digits of 0.160
+    CHECK(error(std::integral_constant<int, 161>{}) == 1); // the unit of 0.160 with three digits is 0.001
     CHECK(error(std::integral_constant<int, 155>{}) == 5);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("each figure that gates is compared, and the median is not") {
     CHECK(lost([](auto&) {}) == 0);
     CHECK(lost([](auto& f) { ++f.wrong; }) == 1);
     CHECK(lost([](auto& f) { ++f.misrounded; }) == 1);
-    CHECK(lost([](auto& f) { f.values = 40; }) == 1); // the same number of fewer
+    CHECK(lost([](auto& f) { f.values = 40; }) == 1); // the same number, of fewer values
     CHECK(lost([](auto& f) { f.largest = 2.001; }) == 1);
     CHECK(lost([](auto& f) { --f.pairs; }) == 1);
     CHECK(lost([](auto& f) { f.median = 1; }) == 0);
@@ -137,7 +137,7 @@ TEST_CASE("each figure that gates is compared, and the median is not") {
 
 namespace {
 
-// A solution that comes twice as late as it should, and a discriminant from the motion alone.
+// A solution whose times are twice as large as they should be, and a discriminant that takes only the motion.
 struct late_solution {
     static constexpr const char* name = "late";
     static constexpr auto measures = quantity::time;
@@ -174,7 +174,7 @@ TEST_CASE("a formula may return what solve does, or be a discriminant of the mot
     REQUIRE(late->values.size() == 6);
     CHECK(late->values[0].of == quantity::time);
     CHECK(late->values[0].components[0].parts[0] == 14);
-    CHECK(late->values[1].components[0].parts[0] == 7); // of ball a, where it is then
+    CHECK(late->values[1].components[0].parts[0] == 7); // of ball a, which is there at that time
     REQUIRE(discriminant);
     CHECK_FALSE(discriminant->what);
     REQUIRE(discriminant->values.size() == 1);

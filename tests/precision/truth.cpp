@@ -51,7 +51,7 @@ exact_vector all(const oracle::surd_vector<N>& x) {
 }
 
 mpq_class inverse(double mass) { return std::isinf(mass) ? mpq_class(0) : mpq_class(1 / mpq_class(mass)); }
-mpq_class inverse(const mpq_class& mass) { return mass == 0 ? mass : mpq_class(1 / mass); } // 0: infinite
+mpq_class inverse(const mpq_class& mass) { return mass == 0 ? mass : mpq_class(1 / mass); } // 0 stands for infinity
 
 template <class P>
 oracle::answer meet(const P& p) {
@@ -100,7 +100,7 @@ bool are_parallel(const graze::vec<3, T>& x, const graze::vec<3, T>& y) {
     return true;
 }
 
-// Whether there are edges of a wall or a triangle: none is zero, and they are not parallel.
+// Whether the edges span a wall or a triangle: none is zero, and they are not parallel.
 template <class Flat>
 bool has_edges(const Flat& w) {
     for (const auto& e : w.edge) {

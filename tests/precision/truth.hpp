@@ -1,4 +1,4 @@
-// The exact values of all quantities of one pair that the regression measures, by the oracle.
+// The exact values of all the quantities of one pair that the regression measures, by the oracle.
 #pragma once
 
 #include "../oracle/contact.hpp"
@@ -23,7 +23,7 @@ class exact_number {
     explicit exact_number(oracle::surd x) : value_(std::move(x)) {}
 
     [[nodiscard]] const oracle::surd& exactly() const { return value_; }
-    // Within 2^-bits of it, relatively; itself where it is rational. bits <= 512.
+    // Within a relative 2^-bits of the number, or the number itself if it is rational. bits <= 512.
     [[nodiscard]] const mpq_class& to(int bits) const;
 
   private:
@@ -33,7 +33,7 @@ class exact_number {
 
 using exact_vector = std::vector<exact_number>;
 
-// A pair of rational numbers, for what no double is. An infinite mass is 0 here: the truth keeps the inverse ones.
+// A pair of rational numbers, for numbers that no double holds. An infinite mass is 0 here: the truth keeps inverses.
 template <int N>
 struct rational_pair {
     graze::ball<N, mpq_class> a;
@@ -47,15 +47,15 @@ struct rational_pair {
 template <int N>
 class truth {
   public:
-    // p is valid (see is_valid).
+    // p must be valid (see is_valid).
     explicit truth(const pair<N>& p);
-    // About p, which is valid, with the value of each of its numbers in its place; nothing where these are no pair.
+    // About p, which must be valid, with each number replaced by value_of it; nothing if the result is no valid pair.
     using value_of = std::function<std::optional<mpq_class>(double)>;
     [[nodiscard]] static std::optional<truth> of_rounded(const pair<N>& p, const value_of& value);
 
     [[nodiscard]] const oracle::answer& met() const { return met_; }
-    // The values of a quantity, in the order of graze::precision::answer; empty where the pair has none. where and
-    // index: the feature of a wall that is met, one of those that are.
+    // The values of a quantity, in the order of graze::precision::answer; empty if the pair has none. where and index:
+    // one of the features of a wall that are met.
     [[nodiscard]] const std::vector<exact_vector>& of(quantity q, oracle::feature where, int index) const;
 
   private:
@@ -68,7 +68,7 @@ class truth {
     [[nodiscard]] values values_at(oracle::feature where, int index) const;
 
     std::variant<pair<N>, rational_pair<N>> pair_;
-    mpq_class inverse_a_, inverse_b_; // of the masses
+    mpq_class inverse_a_, inverse_b_; // inverses of the masses
     oracle::answer met_;
     mutable std::vector<values> known_;
 };

@@ -58,7 +58,7 @@ flag_verdict which_flag(const std::vector<std::filesystem::path>& results, std::
         sets.push_back(read(file));
         lost.insert(sets.back().lost.begin(), sets.back().lost.end());
     }
-    // Figures by the sets in which they are lost.
+    // The figures, grouped by the sets of flags in which they are lost.
     std::map<std::vector<bool>, std::vector<std::string>> alike;
     for (const std::string& figure : lost) {
         std::vector<bool> in;

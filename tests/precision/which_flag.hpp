@@ -7,9 +7,9 @@
 
 namespace precision {
 
-// Reads what `run` writes as results.txt. Names, for each set of figures that were lost in the same flag sets, the
-// flags that all of these have and no other set has. unaccepted: nothing is known to be lost, but there are figures
-// that were compared with nothing. std::runtime_error for a file that is not there or not of this form.
+// Reads the results.txt that `run` writes. For each group of figures lost in the same flag sets, it names the flags
+// that all of these sets have and no other set has. unaccepted: no loss is known, but some figures were compared with
+// nothing. Throws std::runtime_error if a file is missing or not of this form.
 enum class flag_verdict { nothing_lost, lost, unaccepted };
 flag_verdict which_flag(const std::vector<std::filesystem::path>& results, std::ostream& out);
 

@@ -36,14 +36,14 @@ using mpfr_float_50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;
 } // namespace precision_types
 
 #ifdef PRECISION_HAS_BOOST
-// It promises 50 digits, in whose units errors are told, and keeps up to 80. Many a double has more than these: Boost's
-// conversion rounds, in its own way, and the truth is that of what came out.
+// It promises 50 digits, which give the unit of its errors, and keeps up to 80. Many doubles have more digits: Boost's
+// conversion rounds them in its own way, and the truth is about the result.
 template <>
 struct graze::precision::number_access<precision_types::cpp_dec_float_50> {
     using type = precision_types::cpp_dec_float_50;
     [[nodiscard]] static type from(double x) { return type(x); }
 
-    // All digits, by way of the text: an integer times a power of ten.
+    // All digits, from the text: an integer times a power of ten.
     [[nodiscard]] static reading read(const type& x) {
         if (!isfinite(x)) {
             return {{std::numeric_limits<double>::infinity()}};

@@ -1,4 +1,4 @@
-// The 32.32 fixed point of examples/fixed_point.hpp under the precision regression, and graze's decisions on its
+// The precision regression for the 32.32 fixed point of examples/fixed_point.hpp, and for graze's decisions on its
 // numbers.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <graze/precision/subject.hpp>
 #include <graze/predicate/classify_balls.hpp>
 
-// From double as the example converts, but what does not fit, an infinite mass for one, is no number of this type.
+// Converted from double as in the example. What does not fit, such as an infinite mass, is no number of this type.
 template <>
 struct graze::precision::number_access<fixed_point> {
     static fixed_point from(double x) {

@@ -32,7 +32,7 @@ mpq_class quotient(const mpz_class& x, const mpz_class& y) {
 
 mpq_class square_of(const mpq_class& x) { return x * x; }
 
-// The least of piece / k over the times t >= 0 at which it holds.
+// The least value of piece / k over the times t >= 0 at which it holds.
 std::optional<mpq_class> least_of(const piece& p) {
     const mpq_class from = p.low && *p.low > 0 ? *p.low : mpq_class(0);
     if (p.never || (p.high && *p.high < from)) {
@@ -46,7 +46,7 @@ std::optional<mpq_class> least_of(const piece& p) {
     return mpq_class((mpq_class(p.a) * t * t + 2 * mpq_class(p.h) * t + p.c) / p.k);
 }
 
-// When the centre goes through the face.
+// The time at which the centre goes through the face.
 std::optional<mpq_class> crossing(const piece& face) {
     if (face.never || face.a == 0) {
         return std::nullopt;
@@ -61,7 +61,7 @@ oracle::answer meet(const precision::pair<N>& p) {
     return std::visit([&](const auto& other) { return oracle::meet(p.a, other); }, p.other);
 }
 
-// Of a wall or a triangle; empty for a ball or a plane.
+// For a wall or a triangle; empty for a ball or a plane.
 template <int N>
 std::vector<graze::vec<N, double>> corner_and_edges(const precision::pair<N>& p) {
     std::vector<graze::vec<N, double>> all;
@@ -105,7 +105,7 @@ struct borders<N>::affine {
 
 template <int N>
 borders<N>::borders(const precision::pair<N>& p) : is_triangle_(p.other.index() == 3), met_(meet(p)) {
-    // In the units of the pieces: the same numbers are lifted.
+    // Uses the units of the pieces, since it lifts the same numbers.
     oracle::groups<double> g;
     oracle::collect<N>(g.lengths, p.a.position);
     g.lengths.collect(p.a.radius);
@@ -152,7 +152,7 @@ borders<N>::borders(const precision::pair<N>& p) : is_triangle_(p.other.index() 
         hitting_ = by(square_of(f), square_of(length_square_));
         ahead_ = f > 0 ? encounter::miss : f == 0 ? encounter::graze : encounter::hit;
         if (met_.what != encounter::recede && met_.what != encounter::overlap) {
-            ahead_ = met_.what; // a point that goes through a wall's rim hits
+            ahead_ = met_.what; // a point that goes through a wall's rim is a hit
         }
     }
 }
@@ -179,7 +179,7 @@ mpq_class borders<N>::least_ahead() const {
     return least.value();
 }
 
-// Of a wall's feature, in coordinates from the wall's corner.
+// The feature of a wall, relative to the wall's corner.
 template <int N>
 typename borders<N>::affine borders<N>::foot_on(const piece& of) const {
     const auto rational = [](const oracle::point<N>& x) {
@@ -273,7 +273,7 @@ std::optional<mpq_class> borders<N>::square_to_feature(const answer& given) cons
             nearest = nearest ? std::min(*nearest, square) : square;
         }
     }
-    return nearest ? nearest : mpq_class(1); // there is no such feature
+    return nearest ? nearest : mpq_class(1); // 1 if there is no such feature
 }
 
 template <int N>

@@ -1,4 +1,4 @@
-// Distances from the border: small examples by hand, and a test that the decision changes where they say.
+// Distances from the border: small examples by hand, and whether the decision changes where they say.
 #include "border.hpp"
 #include "figures.hpp"
 
@@ -35,7 +35,7 @@ mpq_class ratio(long x, long y) {
 }
 mpq_class squared(const mpq_class& x) { return x * x; }
 
-// The oracle's word on the same pair with another radius.
+// The oracle's answer to the same pair with another radius.
 template <int N>
 encounter met_with(any<N> p, double radius) {
     p.a.radius = radius;
@@ -57,11 +57,11 @@ TEST_CASE("two balls") {
     CHECK(*square(grazing, hits) == 0);
     CHECK(*square(grazing, misses) == 0);
     CHECK(*square(grazing, overlaps) == squared(ratio(9, 41)));
-    // Receding: to hit, they would have to approach, and to be nearer than they are.
+    // Receding: to hit, the balls would have to approach and to be nearer.
     const any<2> receding{{{3, 4}, {1, 0}, 1}, graze::ball<2>{{0, 0}, {0, 0}, 3}};
     CHECK(*square(receding, misses) == ratio(9, 41));
     CHECK(*square(receding, hits) == std::max(ratio(9, 41), squared(ratio(9, 41))));
-    // Overlapping: to miss, the balls would have to be small beside the least distance, 4, and not only the distance.
+    // Overlapping: to miss, the balls would have to be smaller than the least distance, 4, and not only than this one.
     const any<2> overlapping{{{3, 4}, {-1, 0}, 3}, graze::ball<2>{{0, 0}, {0, 0}, 3}};
     CHECK(*square(overlapping, hits) == squared(ratio(11, 61)));
     CHECK(*square(overlapping, misses) == squared(ratio(20, 61)));
@@ -75,26 +75,26 @@ TEST_CASE("a ball and a plane") {
     CHECK(*square(above, recedes) == ratio(16, 34 * 5));
     CHECK(*square(above, misses) == 1);
     const any<3> along{{{3, 4, 0}, {2, 0, 1}, 3}, graze::plane<3>{{0, 0, 0}, {0, 7, 0}}};
-    CHECK(*square(along, hits) == 0); // parallel, so it recedes
+    CHECK(*square(along, hits) == 0); // it moves parallel to the plane, so it recedes
     CHECK_FALSE(square(along, recedes));
 }
 
 TEST_CASE("a ball and a wall") {
     const graze::wall<2> segment{{0, 0}, {{{8, 0}}}};
-    // Down beside the end of the segment: least distance 2 from corner 1, |w|² + |e|² + r² = 116 + 64 + 1.
+    // It comes down beside the end of the segment: least distance 2 from corner 1, |w|² + |e|² + r² = 116 + 64 + 1.
     const any<2> beside{{{10, 4}, {0, -1}, 1}, segment};
     CHECK_FALSE(square(beside, misses));
     CHECK(*square(beside, on(encounter::hit, feature::corner, 1)) == squared(ratio(3, 181)));
     CHECK(*square(beside, recedes) == ratio(16, 181));
-    // Through it, 3 from corner 0, where it is touched on the face.
+    // It goes through, 3 from corner 0, and is touched on the face.
     const any<2> through{{{3, 4}, {0, -1}, 1}, segment};
     CHECK(*square(through, misses) == squared(ratio(10, 90)));
     CHECK_FALSE(square(through, on(encounter::hit, feature::face, 0)));
     CHECK(*square(through, on(encounter::hit, feature::corner, 0)) == ratio(9, 90));
     CHECK(*square(through, on(encounter::hit, feature::corner, 1)) == ratio(25, 90));
-    CHECK(*square(through, on(encounter::hit, feature::edge, 0)) == 1); // there is none
-    // Touched beyond the end: the face's line is reached 3/5 from the corner where the ball touches that, r = 1, and
-    // the centre is 4/5 above it.
+    CHECK(*square(through, on(encounter::hit, feature::edge, 0)) == 1); // there is no edge in the plane
+    // Touched beyond the end, with r = 1: when the ball touches the corner, its foot on the face's line is 3/5 from the
+    // corner, and the centre is 4/5 above that.
     const any<2> corner{{{8.5, 4}, {0, -1}, 1}, segment};
     CHECK_FALSE(square(corner, on(encounter::hit, feature::corner, 1)));
     CHECK(*square(corner, on(encounter::hit, feature::face, 0)) == ratio(1, 4) / (squared(ratio(17, 2)) + 81));
@@ -120,7 +120,7 @@ TEST_CASE("a ball and a wall") {
     const any<3> rim{{{0, 3, 4}, {0, 0, -1}, 0}, square_wall};
     CHECK_FALSE(square(rim, on(encounter::hit, feature::face, 0)));
     CHECK(*square(rim, misses) == 0);
-    // Answers without an encounter, as collide gives them, and without the feature's number.
+    // Answers without an encounter, as collide gives them, and without a feature's index.
     CHECK(*square(point, answer{}) == std::min(squared(mpq_class(9) / (41 + 128)), ratio(16, 41 + 128)));
     answer touched = answered(quantity::time, 1.0);
     CHECK_FALSE(square(edge, touched));
@@ -171,7 +171,7 @@ TEST_CASE(
                         ++wrong_feature;
                         CHECK(*distance > 0);
                     }
-                    // least f/L² tells the radius at which a pair that is missed would graze.
+                    // From least f/L² follows the radius with which a missed pair would graze.
                     if (met != encounter::miss || p->a.radius == 0) {
                         return;
                     }
@@ -197,7 +197,7 @@ TEST_CASE(
                         p->other);
                     add(radius);
                     const double grows = std::sqrt(radius * radius + share * lengths) - radius;
-                    // Where that is told apart from the radius, in doubles.
+                    // If that radius differs enough from the pair's, in doubles.
                     if (!(grows > 0x1p-20 * radius && lengths < 0x1p900 && lengths > 0x1p-900 && share > 0x1p-20)) {
                         return;
                     }
@@ -236,7 +236,7 @@ TEST_CASE("graze's own decisions are not found, of balls, planes and walls; naiv
                     ++found;
                     if (naive.tell(*of_naive) == "wrong on the border itself") {
                         ++on_border;
-                        CHECK(own.tell(*score).starts_with("right at 2^-32767.00")); // cut there
+                        CHECK(own.tell(*score).starts_with("right at 2^-32767.00")); // it is cut off there
                     } else {
                         CHECK(*of_naive > 0x1p15);
                     }

@@ -16,7 +16,7 @@ namespace {
 using families::random;
 using row = std::vector<double>;
 
-// Only lengths and velocities beyond these are left to the family that a try starts from.
+// Lengths and velocities beyond these occur only if the family that a try starts from has them.
 constexpr std::int64_t widest = place_of(0x1p64), narrowest = place_of(0x1p-64);
 
 struct range {
@@ -27,7 +27,7 @@ row numbers_of(const any_pair& p) {
     return std::visit([](const auto& q) { return precision::numbers_of(q); }, p);
 }
 
-// Of both pairs, one after the other.
+// The numbers of both pairs, one after the other.
 row numbers_of(const found& f) {
     row all = numbers_of(f.pair);
     if (f.other) {
@@ -61,8 +61,8 @@ std::optional<double> score_of(const goal& g, found& at, const row& numbers, all
     return at.score_by(g);
 }
 
-// About x, 2^bits to both sides, within the same sign and the magnitudes: signs are changed by the climb. The masses
-// stay.
+// A range around x, 2^bits to both sides, of the same sign and within the magnitudes: only the climb changes signs.
+// Masses stay.
 range about(double x, int bits, const magnitudes::range& within) {
     const std::int64_t at = place_of(x), reach = std::int64_t{1} << bits;
     if (at == 0 || !std::isfinite(x)) {
@@ -75,7 +75,7 @@ range about(double x, int bits, const magnitudes::range& within) {
     return at < 0 ? range{-high, -low} : range{low, high};
 }
 
-// The nearest number of the same sign that is within; 0 and infinity stay.
+// The nearest number of the same sign that is within the range; 0 and infinity stay.
 double moved_into(double x, const magnitudes::range& within) {
     return x == 0 || !std::isfinite(x) ? x : std::copysign(std::clamp(std::fabs(x), within.low, within.high), x);
 }
@@ -90,7 +90,7 @@ struct sample {
     double score;
 };
 
-// The best of a few draws.
+// The best of a few samples from the box.
 std::optional<sample> best_of(const goal& g, found& p, const std::vector<range>& box, random& source, allowance& left) {
     constexpr int draws = 6;
     std::optional<sample> best;
@@ -111,7 +111,7 @@ std::vector<double> changed(const row& numbers, std::size_t i) {
     const double x = numbers[i];
     const std::int64_t at = place_of(x);
     std::vector<double> all;
-    for (int bit = 61; bit >= 0; --bit) { // from large changes to small ones
+    for (int bit = 61; bit >= 0; --bit) { // large changes first
         all.push_back(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ std::uint64_t{1} << bit));
         for (const std::int64_t step : {std::int64_t{1} << bit, -(std::int64_t{1} << bit)}) {
             if (bit < 53 && at + step <= last_place && at + step >= -last_place) {
@@ -134,7 +134,7 @@ std::optional<found> descend(const goal& g, const std::vector<precision::family>
     const auto& family = families[source.below(families.size())].pairs;
     std::size_t drawn = source.below(family.size());
     found p;
-    if (g.is_about_orders()) { // of pairs 2i and 2i + 1
+    if (g.is_about_orders()) { // pairs 2i and 2i + 1
         drawn -= drawn % 2;
         p.other = family[std::min(drawn + 1, family.size() - 1)];
     }

@@ -20,7 +20,7 @@ struct told {
     bool decides = false;
 };
 
-// What a formula tells of these pairs.
+// What a formula answers to these pairs.
 told asked_of(const subject& s, const std::vector<precision::family>& families) {
     told all;
     const auto ask = [&](const auto& p) {
@@ -34,9 +34,9 @@ told asked_of(const subject& s, const std::vector<precision::family>& families) 
             for (const auto& v : given ? given->values : std::vector<graze::precision::value>{}) {
                 all.of.insert(v.of);
             }
-            // Says nothing where there is no collision.
+            // It decides, too, if it is about times and gives none: there is no collision.
             all.decides = all.decides || (given && given->values.empty() && s.measures == quantity::time);
-        } catch (const std::exception&) { // not about this one
+        } catch (const std::exception&) { // the formula is not about this pair
         }
     };
     for (const auto& f : families) {
@@ -109,11 +109,11 @@ goal goal_of(const terms& t, const graze::precision::subjects& formulas) {
         *range = text->empty() ? magnitudes::range{} : range_from(option, *text);
     }
     const auto fits = [&](const figure& f) {
-        // Of a decimal type, whose numbers no pair of doubles holds, borders are not told.
+        // No borders for a decimal type, whose numbers no pair of doubles holds.
         const bool is_binary = f.formulas.front()->type.decimal_digits == 0;
         const bool is_decision = f.of == quantity::encounter || f.of == quantity::order;
         return what == aim::error      ? !is_decision
-               : what == aim::fallback ? f.of != quantity::order // work for one pair
+               : what == aim::fallback ? f.of != quantity::order // the work is that for one pair
                                        : f.decides && is_binary;
     };
     std::vector<std::string> fitting;

@@ -1,4 +1,4 @@
-// Doubles as integers in the same order: neighbours are one apart, -0 and +0 both 0.
+// Doubles as integers in the same order: neighbours differ by one; -0 and +0 are both 0.
 #pragma once
 
 #include <bit>
@@ -19,7 +19,7 @@ namespace search {
                                            : static_cast<std::uint64_t>(place));
 }
 
-// Of the largest finite double.
+// The place of the largest finite double.
 inline constexpr std::int64_t last_place = 0x7fefffffffffffff;
 
 } // namespace search

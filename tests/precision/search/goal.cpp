@@ -15,13 +15,13 @@ namespace search {
 namespace {
 
 constexpr std::array<const char*, 4> aim_names = {"error", "nearest", "farthest", "fallback"};
-// Bits of distances are cut at this many; scores of wrong decisions are beyond it, others below.
+// Bits of distances are cut off at this number; scores of wrong decisions are above it, others below.
 constexpr double found_from = 0x1p15;
 
-// What is asked about a pair, as its type holds it. std::nullopt outside the domain.
+// A pair as its type holds it, and what is asked about it. std::nullopt outside the domain.
 struct asked {
     const graze::precision::subject* formula;
-    std::optional<graze::precision::answer> given; // nothing where it threw
+    std::optional<graze::precision::answer> given; // nothing if it threw
 };
 
 template <int N>
@@ -38,7 +38,7 @@ std::optional<asked> ask(const goal& g, const precision::pair<N>& held) {
     return std::nullopt;
 }
 
-// The score of a decision by the square of its distance from the border: wrong_by if it is wrong, else least.
+// A decision's score from the squared distance to the border: wrong_by if it is wrong, else least.
 double score_by(aim what, const std::optional<mpq_class>& wrong_by, const mpq_class& least) {
     const auto bits_of = [](const mpq_class& square) {
         return square == 0 ? -found_from : std::max(bits_of_root(square), 1 - found_from);
@@ -58,7 +58,7 @@ std::optional<double> score_of_decision(const goal& g, const any_pair& p) {
             if (!found) {
                 return std::nullopt;
             }
-            if (!found->given) { // no decision is a wrong one where one is promised
+            if (!found->given) { // where a decision is promised, none is a wrong one
                 return found->formula->correctly_rounded ? std::optional(found_from) : std::nullopt;
             }
             const borders<N> near(*q);
@@ -88,7 +88,7 @@ std::optional<double> score_of_order(const goal& g, const any_pair& first, const
                 constexpr unsigned long precise = 512;
                 const mpq_class x = oracle::approximate(t, precise), y = oracle::approximate(u, precise);
                 mpq_class apart = (x - y) / std::max(x, y);
-                if (apart == 0) { // nearer than these can tell
+                if (apart == 0) { // too near for these to tell
                     mpq_div_2exp(apart.get_mpq_t(), mpq_class(1).get_mpq_t(), precise);
                 }
                 square = apart * apart;
@@ -117,7 +117,7 @@ std::optional<double> score_of_work(const goal& g, const any_pair& p) {
             }
             const auto before = work_done();
             const auto found = ask(g, *q);
-            const bool is_answered = found && found->given; // else bad input
+            const bool is_answered = found && found->given; // otherwise it is bad input
             return is_answered ? std::optional(static_cast<double>(work_done() - before)) : std::nullopt;
         },
         p);
@@ -207,7 +207,7 @@ std::optional<double> goal::score(const any_pair& p, const any_pair* other) cons
     for (const auto* formula : formulas) {
         const auto judged = precision::judge_one(*formula, of, p);
         if (judged && !judged->errors.empty()) {
-            // Infinite where there is no number: an overflow, which is no loss of bits.
+            // Infinite if there is no number: that is an overflow and no loss of bits.
             const double largest = judged->largest();
             return std::isfinite(largest) ? std::optional(largest) : std::nullopt;
         }

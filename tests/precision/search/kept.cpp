@@ -37,7 +37,7 @@ std::vector<std::string> split(const std::string& text) {
     return words;
 }
 
-// The magnitudes that are given, as options or as values of a line.
+// The given magnitudes, as options or as values of a line.
 std::string within(const terms& t, const std::string& before, const std::string& after) {
     std::string text;
     for (const auto& [name, value] :
@@ -56,7 +56,7 @@ std::string line_of(const kept_file& f) {
     return out.str();
 }
 
-// Takes the values of names in order; std::runtime_error where one is missing.
+// Takes values by name, in order. Throws std::runtime_error if one is missing.
 class values {
   public:
     explicit values(const std::string& line) : in_(line) {}
@@ -67,7 +67,7 @@ class values {
         }
         return word.substr(name.size() + 1);
     }
-    // Empty where it is missing.
+    // Empty if it is missing.
     std::string text_if_any(const std::string& name) {
         const auto here = in_.tellg();
         std::string word;
@@ -191,7 +191,7 @@ file_lock::file_lock(const std::filesystem::path& of) : path_(of.string() + ".lo
             throw std::runtime_error(of.string() + ": another search is using this file; another --out is needed");
         }
         struct stat here {
-        }, there{}; // whoever had it may have taken the file away meanwhile
+        }, there{}; // whoever had the lock may have removed the file meanwhile
         if (::fstat(file_, &here) == 0 && ::stat(path_.c_str(), &there) == 0 && here.st_ino == there.st_ino) {
             return;
         }
@@ -224,7 +224,7 @@ kept_file read_kept(const std::filesystem::path& path) {
     }
     kept_file f;
     bool has_terms = false, is_shrunk = false, is_told = false;
-    std::string first_line; // of an order's two
+    std::string first_line; // of the two lines of an order
     std::string line, origin;
     kept_pair next;
     for (std::size_t number = 1; std::getline(in, line); ++number) {

@@ -14,7 +14,7 @@ namespace search {
 namespace {
 
 std::atomic<bool> stop_asked = false;
-static_assert(std::atomic<bool>::is_always_lock_free); // a handler may set it
+static_assert(std::atomic<bool>::is_always_lock_free); // so that a signal handler may set it
 
 void on_signal(int) { stop_asked = true; }
 
@@ -38,7 +38,7 @@ void split_shard(options& o) {
         if (used == before.size() && used_after == after.size() && o.of.shard < o.of.shards && before[0] != '-') {
             return;
         }
-    } catch (const std::logic_error&) { // told below
+    } catch (const std::logic_error&) { // reported below
     }
     throw std::invalid_argument("--shard " + o.shard + ": i/n with 0 <= i < n expected");
 }
@@ -96,7 +96,7 @@ int search_on(const options& o, const goal& g) {
         }
         check_in(o.out, file, g);
     }
-    write(o.out, file, g); // before any work is done that could not be kept
+    write(o.out, file, g); // before any work that could then not be saved
     plan p;
     p.tries = o.tries;
     p.stop = &stop_asked;
@@ -218,7 +218,7 @@ int run(int argc, char** argv, const graze::precision::subjects& formulas, const
             throw std::invalid_argument("merge: takes files and no options");
         }
         return chosen(*merging, o, formulas);
-    } catch (const CLI::Success& asked) { // for help
+    } catch (const CLI::Success& asked) { // help was asked for
         return app.exit(asked);
     } catch (const std::exception& e) {
         std::fprintf(stderr, "%s: %s\n", name.c_str(), e.what());

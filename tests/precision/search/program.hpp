@@ -7,8 +7,8 @@
 
 namespace search {
 
-// The program, called `name` in origins: its exit code is 0 when all was done, 1 when nothing was found, 2 for a wrong
-// option or file, 3 when it was stopped.
+// The program, called `name` in origins. Its exit code is 0 if everything was done, 1 if nothing was found, 2 for a
+// wrong option or file, 3 if it was stopped.
 [[nodiscard]] int run(int argc, char** argv, const graze::precision::subjects& formulas, const std::string& name);
 
 } // namespace search

@@ -11,20 +11,20 @@ std::string origin_of(const terms& t, const kept_pair& p) {
     return command_of(t) + " --try " + std::to_string(p.attempt) + " --climbs " + std::to_string(p.climbs);
 }
 
-// Whether it is among the most_kept.
+// Whether p is among the first most_kept.
 bool is_kept(const std::vector<kept_pair>& pairs, const kept_pair& p) {
     return std::ranges::count_if(pairs, [&](const kept_pair& q) { return q.at.score > p.at.score; }) <
            static_cast<std::ptrdiff_t>(most_kept);
 }
 
-// The best pair that is still climbing and climbed fewer times than this.
+// The best pair that can still climb and has climbed fewer than `climbs` times.
 kept_pair* next_climber(std::vector<kept_pair>& pairs, std::uint64_t climbs) {
     const auto at = std::ranges::find_if(
         pairs, [&](const kept_pair& p) { return p.at.climbing && !p.partial && p.climbs < climbs; });
     return at == pairs.end() ? nullptr : &*at;
 }
 
-// A round lets those climb that did so the fewest times, to this number: stopped within, it goes on with the rest.
+// A round lets the pairs climb that did so least often, up to this number. If stopped, it continues with the rest.
 std::uint64_t climbs_of_round(const std::vector<kept_pair>& pairs) {
     std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max() - 1;
     for (const kept_pair& p : pairs) {
@@ -80,7 +80,7 @@ bool go_on(kept_file& file, const goal& g, const std::vector<precision::family>&
         if (const auto f = repeat(g, families, file.of, file.next, 1, p.stop)) {
             take({*f, file.next, 1, false, {}, {}});
         }
-        if (!stopped()) { // else this try is made again
+        if (!stopped()) { // if stopped, this try is made again
             file.next += file.of.shards;
         }
         save();

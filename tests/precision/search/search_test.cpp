@@ -1,4 +1,4 @@
-// The search on small formulas: it loses no find, and its shards together are one search.
+// The search on small formulas: no find is lost, and all shards together are one search.
 #include "float_order.hpp"
 #include "run.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 using graze::precision::answer;
 using graze::precision::quantity;
 
-// a of two balls: an error of a unit or two at most, with many tops.
+// Two balls' a: an error of at most one or two units, with many maxima.
 struct square_of_speed {
     static inline std::uint64_t calls = 0, stop_at = 0;
     static inline std::atomic<bool> stop = false;
@@ -30,7 +30,7 @@ struct square_of_speed {
     }
 };
 
-// Decides by rounded coefficients: wrong where balls graze. Says nothing of walls.
+// Decides by rounded coefficients: wrong if balls graze. Does not answer about walls.
 struct plain_decision {
     static constexpr const char* name = "plain";
     static constexpr quantity measures = quantity::encounter;
@@ -48,7 +48,7 @@ struct plain_decision {
     }
 };
 
-// Orders by rounded times: wrong where both are nearly one.
+// Orders by rounded times: wrong if both are nearly equal.
 struct plain_order {
     static constexpr const char* name = "plain";
     static constexpr quantity measures = quantity::order;
@@ -197,7 +197,7 @@ TEST_CASE("wrong orders of two pairs are found, kept, shrunk and read by the sui
     search::write(path, file, g);
     CHECK(search::text_of(search::read_kept(path), g) == text_in(path));
     search::check(search::read_kept(path), g);
-    const auto read = precision::read_inputs(path).pairs; // 2i and 2i + 1 are an order there
+    const auto read = precision::read_inputs(path).pairs; // pairs 2i and 2i + 1 are an order there
     std::filesystem::remove(path);
     REQUIRE(read.size() % 2 == 0);
     CHECK(precision::to_line(read[0]) + "\n" + precision::to_line(read[1]) == worst.at.lines());
@@ -255,7 +255,7 @@ TEST_CASE("stopped and gone on with, a search finds what it would have found, an
     for (const std::string& expected : {after_tries, after_climbs}) {
         int stops = 0;
         bool within = false;
-        for (bool done = false; !done; ++stops) { // as often as its calls are used up, mostly within a try or climb
+        for (bool done = false; !done; ++stops) { // stops whenever the calls are used up, mostly within a try or climb
             REQUIRE(stops < 20);
             file = search::read_kept(path);
             const double before = file.pairs.empty() ? 0 : file.pairs.front().at.score;

@@ -7,6 +7,6 @@ thread_local unsigned long long blocks = 0;
 
 unsigned long long search::work_done() noexcept { return blocks; }
 
-// What the compiler calls at the start of each basic block; the name is the compiler's.
+// The compiler calls this at the start of each basic block; the name is the compiler's.
 extern "C" void __sanitizer_cov_trace_pc();
 extern "C" void __sanitizer_cov_trace_pc() { ++blocks; }
