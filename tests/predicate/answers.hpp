@@ -1,4 +1,4 @@
-// All answers of the predicates for a pair. They are compiled once for each number type: for doubles in answers.cpp,
+// All answers of the predicates about a pair. They are compiled once for each number type: for doubles in answers.cpp,
 // for another type where answers_of_type.hpp is included.
 #pragma once
 
@@ -19,7 +19,7 @@ bool overlap_of(const graze::ball<N, T>& a, const Shape& b, graze::stage& decide
 template <int N, class T, class Shape>
 std::optional<graze::impact_time<N, T>> time_of(const graze::ball<N, T>& a, const Shape& b);
 
-// x <=> y, and 2 in place of unordered.
+// x <=> y, with 2 for unordered.
 template <int N, class T>
 int order_of(const graze::impact_time<N, T>& x, const graze::impact_time<N, T>& y);
 template <int N, class T>
@@ -30,9 +30,9 @@ struct answer {
     graze::encounter what;
     bool overlaps;
     std::optional<graze::impact_time<N, T>> time;
-    graze::stage decided_by; // what
+    graze::stage decided_by; // `what`
 
-    // The stage may differ: it is not part of the answer.
+    // The stage may differ: it is no part of the answer.
     friend bool operator==(const answer& x, const answer& y) {
         return x.what == y.what && x.overlaps == y.overlaps && x.time.has_value() == y.time.has_value() &&
                (!x.time || order_of(*x.time, *y.time) == 0);
@@ -46,7 +46,7 @@ answer<N, T> of(const graze::ball<N, T>& a, const Shape& b) {
     return {what, overlap_of(a, b, other), time_of(a, b), decided_by};
 }
 
-// Whether the oracle says the same, the time at the nearest number and others too.
+// Whether the oracle gives the same answers; the time is compared at the number nearest to it and at others.
 template <int N, class T, class Shape>
 bool is_right(const answer<N, T>& x, const graze::ball<N, T>& a, const Shape& b) {
     const oracle::answer truth = oracle::meet(a, b);
@@ -59,7 +59,7 @@ bool is_right(const answer<N, T>& x, const graze::ball<N, T>& a, const Shape& b)
     }
     const double nearest = oracle::nearest_double(*truth.time);
     for (const double m : {nearest, nearest / 2, nearest + 1, std::nextafter(nearest, 0.0)}) {
-        if (m <= 1e9) { // fits T
+        if (m <= 1e9) { // m fits T
             const auto time = static_cast<T>(m);
             if (order_of(*x.time, time) != oracle::compare(*truth.time, mpq_class(oracle::input(time)))) {
                 return false;

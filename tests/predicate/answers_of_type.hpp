@@ -8,7 +8,7 @@
 
 namespace answers {
 
-// One observer for all, so that what they share is compiled once.
+// One observer for all, so that shared code is compiled once.
 struct note {
     graze::stage* told;
     void operator()(graze::stage s) const { *told = s; }

@@ -1,4 +1,4 @@
-// A bad number is named and never yields an answer, for any values of the other numbers.
+// A bad number is named and never yields an answer, whatever the other numbers are.
 #include "answers.hpp"
 #include "faults.hpp"
 
@@ -14,7 +14,7 @@
 
 namespace {
 
-// What try_classify says is wrong; the field is named in the message.
+// The fault that try_classify reports; its message names the field.
 template <class A, class B>
 std::string told_without_exceptions(const A& a, const B& b) {
     const auto answer = graze::try_classify(a, b);
@@ -54,7 +54,7 @@ graze::wall<N, T> good_wall() {
     return w;
 }
 
-// Every component of x in turn set to every number that is not finite.
+// Sets each component of x in turn to every number that is not finite.
 template <int N, class T, class F>
 void each_bad(graze::vec<N, T>& x, F f) {
     using limits = std::numeric_limits<T>;
@@ -87,7 +87,7 @@ void check_ball(graze::ball<N, T>& tried, const std::string& name, const graze::
         CHECK(message(a, b) == "");
     }
     tried.radius = T(1);
-    for (const T mass : {T(0), T(-1), limits::infinity(), limits::quiet_NaN()}) { // decisions take no mass
+    for (const T mass : {T(0), T(-1), limits::infinity(), limits::quiet_NaN()}) { // decisions ignore the mass
         tried.mass = mass;
         CHECK(message(a, b) == "");
     }
@@ -140,7 +140,7 @@ void check_parallel_edges() {
     }
 }
 
-// A number of any kind, bad ones among them.
+// A number of any kind, including bad ones.
 double any_number() {
     using limits = std::numeric_limits<double>;
     const int which = *rc::gen::inRange(0, 30);

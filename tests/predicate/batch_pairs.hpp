@@ -1,4 +1,4 @@
-// Pairs for the tests of batches: generic ones, hard ones, and both over the whole range of exponents.
+// Pairs for the tests of batches: generic ones and hard ones, with ordinary exponents and over the whole range.
 #pragma once
 
 #include <families/families.hpp>
@@ -14,7 +14,7 @@
 
 namespace batches {
 
-// Balls in both of the ways that a batch takes.
+// Balls in both of the forms that a batch takes.
 template <int N, class T>
 class many_balls {
   public:
@@ -48,7 +48,7 @@ struct pairs {
     many_balls<N, T> a, b;
 };
 
-// In T, lengths and velocities times powers of two; a float may overflow, and is then bad input.
+// In T, with lengths and velocities times powers of two. A float may overflow and is then bad input.
 template <int N, class T>
 [[nodiscard]] graze::ball<N, T> scaled(const graze::ball<N, double>& x, int length, int velocity) {
     const auto vector = [](const graze::vec<N, double>& v, int power) {
@@ -66,10 +66,10 @@ template <int N, class T>
     return good;
 }
 
-// Which units the pairs are in.
+// The units that the pairs are in.
 enum class units { own, any };
 
-// Two balls out of every family of balls, in turn; in `share` of 64 cases generic ones instead.
+// Two balls from every family of balls, in turn; in `share` of 64 cases generic ones instead.
 template <int N, class T>
 [[nodiscard]] pairs<N, T> draw(std::uint64_t seed, std::size_t count, unsigned generic_in_64, units in) {
     constexpr int spread = sizeof(T) == 4 ? 60 : 500;
@@ -94,8 +94,8 @@ template <int N, class T>
     return r;
 }
 
-// Balls of which the first is the pair's, rounded to T, and each other has one number that is beside by a unit in the
-// last place, or flies the other way.
+// Balls of which the first is the pair's, rounded to T. In each other one, a number differs by a unit in the last
+// place, or the velocity is reversed.
 template <int N, class T>
 [[nodiscard]] many_balls<N, T> balls_beside(const families::pair_of_doubles<N>& drawn, std::uint64_t seed,
                                             std::size_t count) {

@@ -1,5 +1,5 @@
-// A batch says of every pair what the scalar functions say, whichever way the balls are given; and of some of the pairs
-// the oracle is asked as well.
+// A batch gives the same answer about every pair as the scalar functions, in whatever form the balls are given. For
+// some of the pairs the oracle is asked, too.
 #include "../oracle/encounter.hpp"
 #include "../soak/more_families.hpp"
 #include "batch_pairs.hpp"
@@ -18,14 +18,14 @@ namespace {
 
 using graze::encounter;
 
-// The registers of graze::compiled, if there are any.
+// The registers for which graze::compiled has code, if any.
 #if defined(__x86_64__)
 constexpr int wider = 32;
 #else
 constexpr int wider = 0;
 #endif
 
-// std::vector<bool> has no bools.
+// std::vector<bool> holds no bools.
 class bools {
   public:
     explicit bools(std::size_t size) : first_(std::make_unique<bool[]>(size)), size_(size) {}
@@ -36,7 +36,7 @@ class bools {
     std::size_t size_;
 };
 
-// In the registers of this unit, and in the widest ones of graze::compiled: the same, or nothing.
+// In the registers of this unit, and in the widest ones of graze::compiled, which give the same or are absent.
 template <class A, class B>
 std::vector<encounter> classified(const A& a, const B& b, std::size_t size) {
     std::vector<encounter> what(size, encounter{-1});
@@ -68,7 +68,7 @@ auto one_by_one(const A& a, F f) {
     return r;
 }
 
-// In every way in which balls can be given.
+// In every form in which balls can be given.
 template <int N, class T>
 void check_balls(const batches::pairs<N, T>& p) {
     const auto& a = p.a.all();
@@ -122,8 +122,8 @@ void check_beside(const families::pair_of_doubles<N>& drawn, const Shape& shape,
     }
 }
 
-// Centres in the plane, or velocities along it, but for what rounds: the signs of w·n and u·n are those of rounding
-// errors then.
+// Centres in the plane, or velocities along it, except for rounding: the signs of w·n and u·n are then those of
+// rounding errors.
 template <int N, class T>
 void check_in_plane() {
     families::random random(11);
@@ -154,7 +154,7 @@ void check_in_plane() {
     }
 }
 
-// Balls in their own units and in any, against planes, walls and triangles of several sizes.
+// Balls in their own units and in any units, against planes, walls and triangles of several sizes.
 template <int N, class T>
 void check_units() {
     const auto own = batches::draw<N, T>(5, 2'000, 64, batches::units::own);
@@ -197,7 +197,7 @@ std::vector<graze::ball<N, T>> whole_balls(std::uint64_t seed, std::size_t count
     return balls;
 }
 
-// The message of what f throws.
+// The message that f throws.
 template <class Error, class F>
 std::string message_of(F f) {
     try {
@@ -266,7 +266,7 @@ TEST_CASE("The oracle says the same of hard pairs") {
     CHECK(*std::min_element(seen.begin(), seen.end()) > 0);
 }
 
-// What the scalar functions refuse, or would convert, no batch accepts.
+// No batch accepts what the scalar functions refuse or would convert.
 template <class A, class B>
 inline constexpr bool is_batch = requires(const A& a, const B& b, std::span<encounter> what) {
     graze::batch::classify(a, b, what);

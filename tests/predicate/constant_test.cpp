@@ -1,5 +1,5 @@
 // Decisions in constant expressions that proofs/predicate does not cover: the ends of the range, and bad input, which
-// must not compile. Its assertions are static.
+// must not compile. All assertions are static.
 #include <graze/predicate/classify_numbers.hpp>
 #include <graze/predicate/overlaps_of_shapes.hpp>
 #include <graze/time/time_of_shapes.hpp>
@@ -37,7 +37,7 @@ static_assert(*first == *time_of_impact(ball<2, double>{{0, 4}, {0, -1}, 1}, flo
 static_assert(*first == *time_of_impact(ball<2, double>{{2, -4}, {0, 1}, 1}, segment));
 static_assert(!time_of_impact(coming(9), resting));
 
-// In exact types whose sums and products are other types.
+// Exact types whose sums and products have other types.
 using tracked = graze::integer<62>;
 constexpr ball<3, tracked> falling(int x, int y) {
     return {{{tracked(x), tracked(y), tracked(10)}}, {{tracked(0), tracked(0), tracked(-1)}}, tracked(1)};

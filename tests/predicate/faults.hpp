@@ -1,4 +1,4 @@
-// The faults of an input, found independently of the library and told in its words.
+// The faults of an input, found independently of the library and worded as the library does.
 #pragma once
 
 #include "../oracle/lift.hpp"
@@ -65,7 +65,7 @@ list of_one(const graze::plane<N, T>& p) {
     return all;
 }
 
-// Whether the squares of lengths and product say that two finite edges are parallel; one edge never is.
+// Whether two finite edges are parallel, by the squares of their lengths and product. A single edge never is.
 template <class T>
 bool parallel(const graze::wall<2, T>&) {
     return false;
@@ -122,7 +122,7 @@ list of(const graze::ball<N, T>& b, const Shape& s) {
     return joined(of_one(b, "ball"), of_one(s));
 }
 
-// What f throws: the message of a std::domain_error, or nothing.
+// The message of the std::domain_error that f throws, or nothing.
 template <class F>
 std::string thrown_by(F f) {
     try {
@@ -133,7 +133,7 @@ std::string thrown_by(F f) {
     return "";
 }
 
-// Whether f throws one of these, or nothing if there are none.
+// Whether f throws one of these messages, or nothing if there are none.
 template <class F>
 bool told(const list& all, F f) {
     const std::string message = thrown_by(f);

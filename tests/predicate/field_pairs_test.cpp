@@ -1,4 +1,4 @@
-// Pairs in situations in which other programs were reported to be wrong, against rational numbers.
+// Pairs in situations in which other programs were reported to be wrong, compared with rational numbers.
 #include <graze/classify.hpp>
 #include <graze/collide.hpp>
 #include <graze/time_of_impact.hpp>
@@ -49,7 +49,7 @@ bool is_nearest(float f, const mpf_class& x) {
 
 TEST_CASE("what rests, slides along or just parts recedes, and only what comes closer meets") {
     constexpr double least = std::numeric_limits<double>::denorm_min();
-    for (const double apart : {2.0, 1.999, 0.5}) { // touching, and inside each other
+    for (const double apart : {2.0, 1.999, 0.5}) { // touching and overlapping
         const encounter closer = apart == 2 ? encounter::hit : encounter::overlap;
         const graze::ball<2> stands{{{0, 0}}, {{0, 0}}, 1};
         const graze::plane<2> plane{{{1 - apart, 0}}, {{3, 0}}};
@@ -207,7 +207,7 @@ TEST_CASE("integers up to the limits of 64 bits decide as big integers do, and t
         };
         const ball a = any(), b = any();
         ball c = any(), d = any();
-        if (i % 4 == 0) { // the same, mirrored: a tie
+        if (i % 4 == 0) { // mirrored, it is a tie
             c = a;
             d = b;
             for (ball* x : {&c, &d}) {

@@ -15,10 +15,10 @@ template <int N, class T, class Contact>
 struct answer {
     graze::encounter what{};
     bool overlaps = false;
-    graze::stage decided_by = graze::stage::filter; // what
+    graze::stage decided_by = graze::stage::filter; // `what`
     std::optional<graze::impact_time<N, T>> time;
     std::optional<Contact> contact;
-    graze::stage given_by = graze::stage::filter; // contact
+    graze::stage given_by = graze::stage::filter; // `contact`
 };
 template <class B, int N, class T>
 using answer_of =
@@ -28,13 +28,13 @@ using answer_of =
 template <int N, class T, class B>
 answer_of<B, N, T> of(const graze::flight<N, T>& a, const B& b);
 
-// The sign of the first less the second, 3 where operators contradict each other.
+// The sign of the first time less the second; 3 if operators contradict each other.
 template <int N, class T>
 int order_of(const graze::impact_time<N, T>& x, const graze::impact_time<N, T>& y, graze::stage& decided_by);
 template <int N, class T>
 int order_of(const graze::impact_time<N, T>& x, const T& y);
 
-// To nearest, downward and upward.
+// A time rounded to nearest, downward and upward.
 template <class T>
 struct rounded_time {
     T nearest, lower, upper;

@@ -1,5 +1,5 @@
-// Pairs of flights that are hard: made of pairs of balls that are, and of small numbers, among which touching, grazing
-// and ties are common.
+// Hard pairs of flights: made from hard pairs of balls, and from small numbers, with which touches, grazes and ties are
+// frequent.
 #pragma once
 
 #include "../soak/more_families.hpp"
@@ -39,7 +39,7 @@ inline double full(families::random& r, double size) {
     return size * std::ldexp(static_cast<double>(r.signed_bits(53)), -53);
 }
 
-// Past each other along an axis, at the distance at which they touch or near it.
+// Flights that pass each other along an axis, at the distance at which they touch or near it.
 template <int N>
 pair<N> passing(families::random& r) {
     pair<N> p{on_a_grid<N>(r), on_a_grid<N>(r)};
@@ -55,7 +55,7 @@ pair<N> passing(families::random& r) {
     return p;
 }
 
-// Full doubles; the later one starts `spread` after the other, both at about `epoch`.
+// Doubles with all their bits. One flight starts `spread` after the other, both at about `epoch`.
 template <int N>
 graze::flight<N> generic(families::random& r, double epoch, double spread) {
     graze::flight<N> f{};
@@ -69,7 +69,7 @@ graze::flight<N> generic(families::random& r, double epoch, double spread) {
     return f;
 }
 
-// Two that are as a hard pair of balls when both have started, if that can be written in doubles, and nearly so if not.
+// Flights that are a hard pair of balls when both have started: exactly if doubles can hold that, otherwise nearly.
 template <int N>
 pair<N> of_balls(families::random& r, const families::pair_of_doubles<N>& balls) {
     pair<N> p{{balls.a, 0}, {balls.b, 0}};
@@ -89,7 +89,7 @@ bool come_closer(const graze::flight<N>& a, const graze::flight<N>& b) {
     return graze::coefficient_h{}(graze::relative_motion_of(a, b)) < 0;
 }
 
-// Any of these, by the number `which` mod 5.
+// Any of these, depending on `which` mod 5.
 template <int N>
 pair<N> draw(unsigned which, std::uint64_t seed, std::uint64_t index) {
     families::random r(seed, index);
@@ -100,7 +100,7 @@ pair<N> draw(unsigned which, std::uint64_t seed, std::uint64_t index) {
         }
         [[fallthrough]];
     case 1:
-        for (;;) { // two infinite masses are refused; most others are to come closer
+        for (;;) { // two infinite masses are refused; most others should come closer
             const auto a = on_a_grid<N>(r);
             const auto b = on_a_grid<N>(r);
             const bool finite = !std::isinf(a.state.mass) || !std::isinf(b.state.mass);
@@ -112,11 +112,11 @@ pair<N> draw(unsigned which, std::uint64_t seed, std::uint64_t index) {
         const auto a = generic<N>(r, 100, 10);
         return {a, generic<N>(r, 100, 10)};
     }
-    case 3: { // epochs far apart, and large
+    case 3: { // epochs that are large and far apart
         const double epoch = std::ldexp(1.0, static_cast<int>(r.in(-40, 40)));
         const auto a = generic<N>(r, epoch, epoch);
         auto b = generic<N>(r, -epoch, epoch);
-        for (int i = 0; i < N; ++i) { // so that they may meet
+        for (int i = 0; i < N; ++i) { // so that they can meet
             const graze::flight<N>& earlier = a.since < b.since ? a : b;
             const double way = earlier.state.velocity[i] * std::fabs(a.since - b.since);
             b.state.position[i] += a.since < b.since ? way : -way;

@@ -1,4 +1,4 @@
-// Flights against the oracle, which moves them as rationals: decisions, times, their order, the laws.
+// Flights, compared with the oracle, which moves them as rationals: decisions, times, their order, the laws.
 #include "flight_answers.hpp"
 #include "flight_families.hpp"
 #include "transform.hpp"
@@ -111,7 +111,7 @@ bool same(const flight_answers::answer<N, double, graze::contact<N>>& x,
            (!x.time || flight_answers::order_of(*x.time, *y.time, told) == 0);
 }
 
-// Laws 1 and 2, and 3 in a common scale of time as well.
+// Laws 1 and 2, and law 3 also with a common scale of time.
 template <int N>
 void check_laws(const flight<N>& a, const flight<N>& b) {
     const auto answer = flight_answers::of(a, b);
@@ -232,7 +232,7 @@ TEST_CASE("The answer does not depend on axes, on the order of arguments or on u
         const auto q = any<3>();
         check_laws(q.a, q.b);
     }));
-    CHECK(rc::check([] { // whose numbers leave room
+    CHECK(rc::check([] { // of numbers that leave room
         const auto index = *rc::gen::arbitrary<std::uint64_t>();
         const auto p = flight_families::draw<3>(static_cast<unsigned>(index % 3), 6, index);
         RC_ASSERT(scaled_alike(p.a, p.b, *rc::gen::inRange(-300, 300), *rc::gen::inRange(-100, 100)));
@@ -261,7 +261,7 @@ TEST_CASE("Law 13: the answer does not depend on when the clock was set") {
 }
 
 TEST_CASE("A flight equals itself seen from a later start") {
-    // Moved on exactly: the same motion of another epoch, so that every time is a tie.
+    // The same motion given at another epoch, moved exactly, so that every time is a tie.
     int ties = 0, moved_on = 0;
     CHECK(rc::check([&] {
         const auto index = *rc::gen::arbitrary<std::uint64_t>();
@@ -300,10 +300,10 @@ TEST_CASE("Easy flights are decided by the filter, hard ones by integers") {
     expect(encounter::hit, stage::filter, at(9, 0.5, -1, 0, 0), at(0, 0, 0, 0, 3));
     expect(encounter::miss, stage::filter, at(9, 2.5, -1, 0, 0), at(0, 0, 0, 0, 3));
     expect(encounter::overlap, stage::filter, at(9, 0.5, -1, 0, 0), at(0, 0, 0, 0, 8));
-    expect(encounter::recede, stage::filter, at(9, 0.5, -1, 0, 0), at(0, 0, 0, 0, 10)); // it has gone through
+    expect(encounter::recede, stage::filter, at(9, 0.5, -1, 0, 0), at(0, 0, 0, 0, 10)); // it has passed through
     expect(encounter::hit, stage::filter, at(0, 0, 0, 0, 3), at(9, 0.5, -1, 0, 0));
-    expect(encounter::hit, stage::filter, at(9, 0.5, -1, 0, 1e6), at(-1e6, 0, 1, 0, 0)); // from far behind
-    expect(encounter::hit, stage::exact, at(9, 0, -1, 0, 0), at(0, 0, 0, 0, 7)); // touching when the other starts
+    expect(encounter::hit, stage::filter, at(9, 0.5, -1, 0, 1e6), at(-1e6, 0, 1, 0, 0)); // it comes from far behind
+    expect(encounter::hit, stage::exact, at(9, 0, -1, 0, 0), at(0, 0, 0, 0, 7)); // they touch when the other one starts
     expect(encounter::overlap, stage::double_word, at(9, 0, -1, 0, 0), at(0, 0, 0, 0, 7 + 0x1p-50));
     expect(encounter::graze, stage::exact, at(9, 2, -1, 0, 0), at(0, 0, 0, 0, 3));
     expect(encounter::graze, stage::exact, at(9, 0, -1, 0, 0, 0), at(0, 0, 0, 0, 3, 0)); // points that meet

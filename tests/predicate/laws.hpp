@@ -37,8 +37,8 @@ bool add_exactly(graze::vec<N, double>& x, const graze::vec<N, double>& y) {
     return true;
 }
 
-// 2. The same things may be written otherwise: balls exchanged, a plane's normal in the other sense, a wall's edges
-// exchanged or drawn from the other end.
+// 2. The same things may be written differently: balls exchanged, a plane's normal reversed, a wall's edges exchanged
+// or drawn from the other end.
 template <int N, class T>
 void presentation(const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
     RC_ASSERT(answers::of(a, b) == answers::of(b, a));
@@ -62,7 +62,7 @@ void presentation(const graze::ball<N, T>& a, graze::wall<N, T> w) {
     }
 }
 
-// A triangle's corners may be taken in another order.
+// A triangle's corners may come in another order.
 template <class T>
 void presentation(const graze::ball<3, T>& a, graze::triangle<T> t) {
     const auto answer = answers::of(a, t);
@@ -90,7 +90,7 @@ void scaling(const A& a, const B& b) {
     const A scaled_a = transform::scaled(a, times);
     const B scaled_b = transform::scaled(b, times);
     if (!exact) {
-        return; // counted by nobody: most pairs are far from the ends of the range
+        return; // not counted: most pairs are far from the ends of the range
     }
     const auto answer = answers::of(a, b);
     const auto scaled = answers::of(scaled_a, scaled_b);
@@ -106,7 +106,7 @@ void scaling(const A& a, const B& b) {
     }
 }
 
-// 4. Both balls may fly faster by the same velocity, and everything may be elsewhere. Says whether that was exact.
+// 4. Both balls may fly faster by the same velocity, and everything may be elsewhere. Returns whether that was exact.
 template <int N>
 bool common_velocity(graze::ball<N, double> a, graze::ball<N, double> b, const graze::vec<N, double>& v) {
     const auto answer = answers::of(a, b);
@@ -126,8 +126,8 @@ bool common_position(graze::ball<N, double> a, graze::ball<N, double> b, const g
     return true;
 }
 
-// 5. Times are in one order, whatever met whatever: exactly one of <, == and > holds, exchanged operands exchange it,
-// and < is transitive.
+// 5. All times are in one order, whatever pair they are of: exactly one of <, == and > holds, exchanging the operands
+// exchanges it, and < is transitive.
 template <int N>
 void order(const std::optional<graze::impact_time<N, double>>& x, const std::optional<graze::impact_time<N, double>>& y,
            const std::optional<graze::impact_time<N, double>>& z) {
@@ -155,7 +155,7 @@ void planes_are_met(const graze::ball<N, T>& a, const graze::plane<N, T>& p) {
     RC_ASSERT(what != graze::encounter::miss && what != graze::encounter::graze);
 }
 
-// 8. A wall is met no earlier than its plane, where both are met. In the plane, whose normals are doubles.
+// 8. A wall is met no earlier than its plane, if both are met. In the plane, where normals are doubles.
 inline void walls_lie_in_planes(const graze::ball<2, double>& a, const graze::wall<2, double>& w) {
     const graze::plane<2, double> p{w.corner, {-w.edge[0][1], w.edge[0][0]}};
     const auto wall = answers::of(a, w);
@@ -175,7 +175,7 @@ void larger_is_earlier(graze::ball<N, double> a, const graze::ball<N, double>& b
     }
 }
 
-// 10. overlap is what overlaps and does not recede.
+// 10. classify says overlap if and only if the pair overlaps and does not recede.
 template <class A, class B>
 void overlap_is_now(const A& a, const B& b) {
     const auto answer = answers::of(a, b);
@@ -196,7 +196,7 @@ void numbers_in_order(const std::optional<graze::impact_time<N, double>>& x,
     }
 }
 
-// 16. A wall is met when the first of its two triangles is, and with the same encounter. Says whether its corners are
+// 16. A wall is met when the first of its two triangles is, with the same encounter. Returns whether its corners are
 // exact and the ball is outside.
 inline bool halves_make_a_wall(const graze::ball<3, double>& a, const graze::wall<3, double>& w) {
     graze::triangle<double> half{w.corner, w.edge}, other{w.corner, {-w.edge[0], -w.edge[1]}};

@@ -1,5 +1,4 @@
-// The answer and the stage that gave it: easy cases come from the filter, hard ones from the next two stages, ties from
-// integers.
+// The answer and the stage that gave it: the filter decides easy cases, the next two stages hard ones, integers ties.
 #include "answers.hpp"
 
 #include <doctest/doctest.h>
@@ -61,15 +60,15 @@ TEST_CASE("Two balls") {
     expect(graze::encounter::graze, stage::exact, at(5, 0, 0, -1, 0, 0, 0),
            at(0, 0, 0, 0, 0, 0, 0)); // points that meet
 
-    // Far away: the filter's bound is 2^-45 L²V² and more, Lagrange's form loses L/R.
+    // Far away: the filter's bound is at least 2^-45 L²V², while Lagrange's form loses only L/R.
     expect(hit, stage::refined, at(0x1p30, 1, 0, -1, 0, 0), rest);
     expect(miss, stage::refined, at(0x1p30, 3, 0, -1, 0, 0), rest);
     expect(hit, stage::refined, at(0x1p38 / 3, 1, 0x1p38 / 3, -1, 0x1p-40, -1), rest);
-    // Δx × Δu is 7/4, and 2, of products of 2^50: doubles leave it open by 3.
+    // Δx × Δu is 7/4, or 2, from products of 2^50, which doubles know to within 3.
     expect(hit, stage::double_word, at(0x1p50, 0x1p50 + 1.75, 0, -1, -1, 0, 0.5), at(0, 0, 0, 0, 0, 0, 0.875));
     expect(miss, stage::double_word, at(0x1p50, 0x1p50 + 2, 0, -1, -1, 0, 0.5), at(0, 0, 0, 0, 0, 0, 0.875));
 
-    // Too large or too small for the filter: scaled, and as easy as before.
+    // Too large or too small for the filter. Scaled, they are as easy as before.
     expect(hit, stage::filter, at(5, 0.5, 0, -0x1p-300, 0, 0), rest);
     expect(miss, stage::filter, at(5 * 0x1p600, 2.5 * 0x1p600, 0, -1, 0, 0, 0x1p600), at(0, 0, 0, 0, 0, 0, 0x1p600));
     expect(hit, stage::filter, at(0x1p-1070, 0, 0, -1, 0, 0, 0x1p-1074), at(0, 0, 0, 0, 0, 0, 0x1p-1074));
@@ -78,11 +77,11 @@ TEST_CASE("Two balls") {
     expect(hit, stage::refined, at(huge, 0, 0, -huge, 0, 0, huge), at(-huge, 0, 0, huge, 0, 0, 1));
     expect(hit, stage::double_word, at(5 * 0x1p-600, 2 * down * 0x1p-600, 0, -1, 0, 0, 0x1p-600),
            at(0, 0, 0, 0, 0, 0, 0x1p-600));
-    expect(hit, stage::exact, at(0x1p600, 0, 0, -1, 0, 0), rest); // R² underflows beside L²
+    expect(hit, stage::exact, at(0x1p600, 0, 0, -1, 0, 0), rest); // R² underflows next to L²
     expect(graze::encounter::graze, stage::exact, at(5 * 0x1p-600, 2 * 0x1p-600, 0, -1, 0, 0, 0x1p-600),
            at(0, 0, 0, 0, 0, 0, 0x1p-600));
 
-    // r_a + r_b is no double: 1 + 2^-60.
+    // r_a + r_b = 1 + 2^-60 is no double.
     expect(overlap, stage::double_word, at(1, 0, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
     expect(hit, stage::double_word, at(5, 1, 0, -1, 0, 0), at(0, 0, 0, 0, 0, 0, 0x1p-60));
 }
@@ -115,7 +114,7 @@ TEST_CASE("A ball and a plane") {
     const plane slanted{{{0, 0, 0}}, {{1, 2, 2}}}; // |n| = 3
     expect(hit, stage::double_word, at(1, 1, 0, -1, 0, 0), slanted);
     expect(overlap, stage::double_word, at(down, 1, 0, -1, 0, 0), slanted);
-    const plane odd{{{7, 8, 0}}, {{0, 0, 0.1}}}; // ties whose products take more than two doubles
+    const plane odd{{{7, 8, 0}}, {{0, 0, 0.1}}}; // ties whose products need more than two doubles
     expect(hit, stage::exact, at(0, 0, 1.1, 1, 1, -1, 1.1), odd);
     expect(overlap, stage::double_word, at(0, 0, 1.1 * down, 1, 1, -1, 1.1), odd);
     expect_overlap(true, stage::filter, at(0, 0, 0.5, 1, 1, 0), floor);

@@ -10,7 +10,7 @@
 
 namespace transform {
 
-// A shape whose vectors have been replaced by length(v), velocity(v) and normal(v), by kind.
+// A shape whose vectors are replaced by length(v), velocity(v) or normal(v), depending on what they are.
 template <int N, class T, class L, class V, class E>
 graze::ball<N, T> apply(graze::ball<N, T> b, L length, V velocity, E) {
     b.position = length(b.position);
@@ -52,7 +52,7 @@ Shape permuted(const Shape& shape, int shift) {
     });
 }
 
-// Axes whose bit is set are mirrored.
+// Mirrors the axes whose bit is set.
 template <class Shape>
 Shape reflected(const Shape& shape, unsigned axes) {
     return apply(shape, [axes]<int N, class T>(const graze::vec<N, T>& x) {

@@ -29,7 +29,7 @@ struct pair {
     triangle b;
 };
 
-// Half of the wall of the next pair of a family that is of one.
+// The half of the wall of the next pair with a wall in a family.
 template <std::size_t Count>
 pair any_of(const std::array<families::family, Count>& drawn) {
     const auto which = *rc::gen::resize(100, rc::gen::inRange<std::size_t>(0, Count));
@@ -43,7 +43,7 @@ pair any_of(const std::array<families::family, Count>& drawn) {
         triangle t{p.wall.corner, p.wall.edge};
         graze::vec<3, double> back = t.edge[0];
         if (turned && laws::add_exactly(back, -t.edge[1]) && laws::add_exactly(t.corner, t.edge[1])) {
-            t.edge = {-p.wall.edge[1], back}; // what was edge 0 is slanted now
+            t.edge = {-p.wall.edge[1], back}; // edge 0 becomes the slanted one
         }
         return {p.a, t};
     }

@@ -1,5 +1,5 @@
-// The predicates of one input type against the oracle, from small whole numbers to the ends of the type's range and,
-// now and then, what is no good input.
+// The predicates of one input type, compared with the oracle: from small whole numbers to the ends of the type's range
+// and, occasionally, bad input.
 #pragma once
 
 #include "faults.hpp"
@@ -14,7 +14,7 @@
 
 namespace types {
 
-// What kind of numbers a pair is of: all of them small whole ones, of any size, or near the ends of the range.
+// The kind of numbers in a pair: small whole numbers only, any size, or near the ends of the range.
 enum class range { small, any, ends };
 
 template <std::signed_integral T>
@@ -40,7 +40,7 @@ T number(range from) {
                                            : small / 4 * std::numeric_limits<T>::max();
     }
     using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    return std::bit_cast<T>(*rc::gen::arbitrary<bits>()); // an infinity or NaN, too
+    return std::bit_cast<T>(*rc::gen::arbitrary<bits>()); // may be an infinity or a NaN
 }
 
 // One in 32 is negative.
@@ -77,7 +77,7 @@ void check(const A& a, const B& b, range from) {
     const auto answer = answers::of(a, b);
     RC_CLASSIFY(answer.decided_by == graze::stage::exact, "exact");
     RC_ASSERT(answers::is_right(answer, a, b));
-    // An integer's least value has no negative, so that what may hold it is not mirrored.
+    // An integer's least value cannot be negated, so pairs that may contain it are not mirrored.
     const bool mirror = from == range::small || std::is_floating_point_v<T>;
     laws::axes(a, b, mirror);
     if constexpr (!std::is_same_v<B, graze::plane<sizeof(a.position) / sizeof(T), T>>) {

@@ -1,4 +1,4 @@
-// Drawn scenes against a simulator by brute force: scene_brute_force [scenes [first seed]].
+// Compares random scenes with a simulator by brute force: scene_brute_force [scenes [first seed]].
 #include "brute_force_scenes.hpp"
 
 #include <cstdlib>

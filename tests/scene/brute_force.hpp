@@ -1,5 +1,5 @@
-// Runs by brute force: every pair, and every image of it, at every event, in numbers of 1024 bits, each state rounded
-// once. It shares nothing with the library but the shapes of a scene: textbook formulas and no lists.
+// Runs by brute force: at every event it looks at every pair and every image of it, in numbers of 1024 bits, and rounds
+// each state once. It shares only the shapes of a scene with the library: it uses textbook formulas and no lists.
 #pragma once
 
 #include <graze/scene/scene.hpp>
@@ -24,7 +24,7 @@ using real = mpf_class;
 inline real exactly(double x) { return real(x, 1024); }
 inline real root_of(const real& x) { return real(sqrt(x)); }
 
-// To nearest, ties to even: a number that was divided is as good as half way where it is so to 800 bits.
+// To nearest, ties to even. A number from a division counts as halfway if it is so to 800 bits.
 inline double rounded(const real& x) {
     const double toward_zero = x.get_d();
     const double beyond = std::nextafter(toward_zero, sgn(x) < 0 ? -INFINITY : INFINITY);
@@ -69,7 +69,7 @@ graze::vec<N, double> rounded(const point<N>& x) {
     return graze::make_vec<N>([&](int i) { return rounded(x[static_cast<std::size_t>(i)]); });
 }
 
-// When something at x that moves by u is at a distance r from 0 first; now, if it is nearer and comes nearer.
+// When something at x that moves by u is first at a distance r from 0; now, if it is nearer and approaches.
 template <int N>
 std::optional<real> time_to(const point<N>& x, const point<N>& u, const real& r) {
     const real h = dot<N>(x, u), c = dot<N>(x, x) - r * r;
@@ -83,7 +83,7 @@ std::optional<real> time_to(const point<N>& x, const point<N>& u, const real& r)
     return d < 0 ? std::nullopt : std::optional(real(c / (root_of(d) - h)));
 }
 
-// What happens next. with: as in a meeting; image: so many periods from b is what a meets; n: from there to a.
+// The next event. with: its partner; image: a meets b moved by this many periods; n: the direction from there to a.
 template <int N>
 struct event {
     real time;
@@ -107,7 +107,7 @@ class simulator {
         return flights_[static_cast<std::size_t>(ball)];
     }
 
-    // Times are counted from `by` on from now on.
+    // From now on times count from `by`.
     void set_clock_back(double by) {
         for (auto& f : flights_) {
             const real since = exactly(f.since) - by;
@@ -118,7 +118,7 @@ class simulator {
         }
     }
 
-    // Does the next event if there is one before `end`. is_clear: whether no other one is nearly as early.
+    // Does the next event before `end`, if there is one. is_clear: whether no other event is nearly as early.
     std::optional<event<N>> next(double end, bool& is_clear) {
         std::optional<event<N>> first;
         real second = exactly(end);
@@ -171,20 +171,20 @@ class simulator {
         }
         return image;
     }
-    // Back to within half a period of 0; says by how many.
+    // Moves x to within half a period of 0. Returns by how many periods.
     std::array<int, N> bring_back(graze::vec<N, double>& x) const {
         std::array<int, N> gone{};
         for (int i = 0; i < N; ++i) {
             if (const double length = scene_.period[i]; length > 0) {
                 const int k = static_cast<int>(std::floor(x[i] / length + 0.5));
-                x.component[i] = real(exactly(x[i]) - k * exactly(length)).get_d(); // nothing is rounded
+                x.component[i] = real(exactly(x[i]) - k * exactly(length)).get_d(); // exact
                 gone[static_cast<std::size_t>(i)] = k;
             }
         }
         return gone;
     }
 
-    // f(event) for the images of b that a may meet before the end.
+    // f(event) for each image of b that a may meet before the end.
     template <class F>
     void offer_images(int a, int b, double end, F f) const {
         const graze::flight<N>&x = at(a), &y = at(b);
@@ -194,7 +194,7 @@ class simulator {
         std::array<int, N> low{}, high{};
         for (int i = 0; i < N; ++i) {
             const auto k = static_cast<std::size_t>(i);
-            if (const double length = scene_.period[i]; length > 0) { // all that the way there passes
+            if (const double length = scene_.period[i]; length > 0) { // all images that the way passes
                 const double from = real(p[k] - q[k]).get_d();
                 const double to = from + (x.state.velocity[i] - y.state.velocity[i]) * (end - start.get_d());
                 low[k] = static_cast<int>(std::floor((std::min(from, to) - r.get_d()) / length - 0.01));
@@ -235,7 +235,7 @@ class simulator {
     [[nodiscard]] bool has_just_met(int a, graze::partner with, int what) const {
         return last_[static_cast<std::size_t>(a)] == met{with, what, {}};
     }
-    // A face: n·x = 0 through 0; inside(place) where it is.
+    // A face: the part of the plane n·x = 0 where inside(place) is true.
     template <class Inside>
     [[nodiscard]] std::optional<real> time_to_face(const point<N>& x, const point<N>& u, point<N> n, double radius,
                                                    point<N>& towards, Inside inside) const {
@@ -262,7 +262,7 @@ class simulator {
         e.time = t ? real(f.since + *t) : exactly(0);
         return t ? std::optional(e) : std::nullopt;
     }
-    // In the plane: the nearest of the face and the ends.
+    // In the plane: the first of the face and the ends.
     [[nodiscard]] std::optional<event<N>> meet_wall(int a, int i) const {
         if (N != 2 || has_just_met(a, graze::partner::wall, i)) {
             return std::nullopt;
@@ -276,7 +276,7 @@ class simulator {
         const auto is_beside = [&](const real& s) { return s > 0 && s < whole; };
         const auto now = is_beside(along) ? moved<N>(x, edge, real(-along / whole)) : along <= 0 ? x : beyond;
         event<N> e{{}, {graze::partner::wall, a, i}, {}, {}};
-        if (dot<N>(now, now) < exactly(f.state.radius) * f.state.radius) { // it cuts it
+        if (dot<N>(now, now) < exactly(f.state.radius) * f.state.radius) { // the ball cuts it
             if (dot<N>(now, u) >= 0) {
                 return std::nullopt;
             }

@@ -1,4 +1,4 @@
-// Drawn scenes, and whether their runs are those by brute force, event by event and digit by digit.
+// Random scenes, and whether their runs equal those by brute force, event by event and digit by digit.
 #pragma once
 
 #include "brute_force.hpp"
@@ -17,7 +17,7 @@ struct drawn_scene {
     std::vector<graze::wall<N>> walls;
     graze::vec<N, double> period{};
 
-    // Balls of many sizes between planes, among walls or in a space of periods, none inside another at the start.
+    // Balls of many sizes between planes, among walls or in a periodic space; none overlaps another at the start.
     explicit drawn_scene(std::mt19937_64& random) {
         const auto any = [&](double low, double high) {
             return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
@@ -74,7 +74,7 @@ struct drawn_scene {
                 return false;
             }
         }
-        for (const auto& w : walls) { // away from both ends and all between, roughly
+        for (const auto& w : walls) { // roughly: away from both ends and everything between
             for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
                 if (std::sqrt(graze::squared_norm(b.position - w.corner - s * w.edge[0])) < b.radius + 0.4) {
                     return false;
@@ -87,12 +87,12 @@ struct drawn_scene {
 
 struct comparison {
     std::uint64_t events = 0;
-    int clocks = 0;      // so often a clock was set back
-    int ties = 0;        // scenes that end where two events are all but of one time
-    std::string problem; // empty, or where they differ
+    int clocks = 0;      // how often a clock was set back
+    int ties = 0;        // scenes that ended at two nearly simultaneous events
+    std::string problem; // where the two differ; empty if nowhere
 };
 
-// One scene, up to so many events.
+// Runs one scene for at most this many events.
 template <int N>
 void compare(std::uint64_t seed, int most, comparison& result) {
     mpf_set_default_prec(1024);

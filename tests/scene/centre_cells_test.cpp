@@ -1,5 +1,5 @@
-// Cells find the points near another one, and their images, that are found by looking at all: of few points, and of so
-// many that the lists of cells are followed side by side.
+// Cells find the same points near a given one, and their images, as a search through all points does: with few points,
+// and with so many that the lists of cells are followed side by side.
 #include <graze/scene/centre_cells.hpp>
 
 #include <doctest/doctest.h>
@@ -23,7 +23,7 @@ struct drawn_points {
     point period;
 };
 
-// In [-1/2, 1/2] along each axis, some at its ends; of reaches that are on several levels.
+// Points in [-1/2, 1/2] along each axis, some at its ends; their reaches belong to several levels.
 drawn_points draw(std::size_t count, const point& period, double usual) {
     std::mt19937_64 random(count);
     const auto any = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 - 0.5; };

@@ -1,4 +1,4 @@
-// The calendar names the earliest ball, wherever its instant waited, and loses none.
+// The calendar names the earliest ball, wherever its instant was kept, and loses none.
 #include <graze/run/event_calendar.hpp>
 
 #include <doctest/doctest.h>
@@ -11,7 +11,7 @@
 TEST_CASE("the earliest ball is one of the earliest instant, after any changes") {
     CHECK(rc::check([] {
         std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
-        const auto instants = *rc::gen::element<std::uint64_t>(1, 20, 1U << 30); // few: ties everywhere
+        const auto instants = *rc::gen::element<std::uint64_t>(1, 20, 1U << 30); // few values make many ties
         const auto balls = *rc::gen::element<graze::detail::body>(1, 2, 70, 400);
         const double never = std::numeric_limits<double>::max();
         graze::detail::event_calendar calendar(balls);

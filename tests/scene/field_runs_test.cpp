@@ -41,7 +41,7 @@ TEST_CASE("a ball that is aimed into a right-angled corner comes back, and does 
     CHECK(events[1].after.since == doctest::Approx(1.7357125).epsilon(1e-15));
     CHECK(events[1].after.state.velocity == graze::vec<2, double>{{-2, -2}});
     CHECK(events[1].after.state.position[0] == events[1].after.state.position[1]);
-    // One ulp off the diagonal: the nearer one first, the other one half an ulp later.
+    // One ulp off the diagonal: the nearer wall is met first, the other one half an ulp later.
     for (const int nearer : {0, 1}) {
         ball[0].position = {{1, 1}};
         ball[0].position[nearer] = std::nextafter(1, 2);
@@ -107,7 +107,7 @@ TEST_CASE("two balls and a wall, and cradles, keep their speeds and energy to th
         CHECK(finished.flights[1].state.velocity == graze::vec<2, double>{{0, 0}});
     }
     for (const double gap : {0x1p-5, 0.0}) {
-        for (int moving = 1; moving < 5; ++moving) { // as many leave as come
+        for (int moving = 1; moving < 5; ++moving) { // as many balls leave as come
             balls<2> cradle;
             for (int i = 0; i < 5; ++i) {
                 const bool comes = i < moving;

@@ -1,4 +1,4 @@
-// The first events of a scene, against the oracle, in any order of its lists, and against a look at every pair.
+// The first events of a scene, with its lists in any order, compared with the oracle and with a look at every pair.
 #include "line_oracle.hpp"
 
 #include <graze/scene.hpp>
@@ -22,8 +22,8 @@ graze::ball<2> ball_of(const bead& b) {
             static_cast<double>(b.mass)};
 }
 
-// Balls of all sizes among planes and walls, near each other or far, some of them far away; many at places
-// and with velocities that others have too, so that much happens at one time.
+// Balls of all sizes among planes and walls, near each other or far apart, some very far away. Many share places and
+// velocities with others, so that much happens at the same time.
 struct any_scene {
     std::vector<graze::ball<2>> balls;
     std::vector<graze::plane<2>> planes;

@@ -1,4 +1,4 @@
-// Rational numbers with the roots of those that are squares: what meets head-on stays rational.
+// Rational numbers, with the roots of those that are squares: head-on collisions stay rational.
 #pragma once
 
 #include <graze/number/traits.hpp>

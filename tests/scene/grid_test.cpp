@@ -24,14 +24,14 @@ struct parts_of_scene {
     [[nodiscard]] graze::scene<N> scene() const { return {balls, planes, {}}; }
 };
 
-// What a scene of balls may look like.
+// The properties of a random scene of balls.
 struct look {
     int count;
     int spread;     // of radii: the smallest is 2^-spread of the largest
     bool boxed;     // or free to fly off
     bool clustered; // in a corner of the box, with one ball far away
-    int resting;    // one in so many; 0: none
-    int fixed;      // one in so many is a mirror, at rest or not
+    int resting;    // one in this many rests; 0: none
+    int fixed;      // one in this many is a mirror, at rest or not
 };
 
 look any_look(int most) {
@@ -114,7 +114,7 @@ story<M::dimension> told_by(graze::run<M>& run, std::uint64_t count) {
             s.end = to_string(done.why);
         } catch (const std::domain_error& e) {
             s.end = e.what();
-        } catch (const graze::undecided&) { // and on again
+        } catch (const graze::undecided&) { // and continues
         }
     }
     for (int i = 0; i < run.balls(); ++i) {
@@ -136,7 +136,7 @@ bool cells_have_no_part(int most, std::uint64_t events) {
     });
 }
 
-// Plain mechanics that cannot decide one question in so many.
+// Plain mechanics that leave one in `one_in` questions undecided.
 struct hesitant : graze::plain_mechanics<2, double> {
     using plain = graze::plain_mechanics<2, double>;
     std::shared_ptr<std::mt19937_64> random = std::make_shared<std::mt19937_64>();
@@ -163,7 +163,7 @@ struct hesitant : graze::plain_mechanics<2, double> {
     }
 };
 
-// Plain mechanics that cannot tell equal times from others.
+// Plain mechanics that cannot distinguish equal times from others.
 struct vague : graze::plain_mechanics<2, double> {
     int order(double s, double t) const {
         if (s == t) {
@@ -188,7 +188,7 @@ TEST_CASE("of two events that share no ball either is done first, where their or
     CHECK(met[0] == graze::scene_pair{graze::partner::ball, 0, 1});
     CHECK(met[1] == graze::scene_pair{graze::partner::ball, 2, 3});
 
-    balls[2] = {{{10, 0}}, {{-1, 0}}, 1}; // ball 1 is met from both sides
+    balls[2] = {{{10, 0}}, {{-1, 0}}, 1}; // balls on both sides meet ball 1
     balls[3].velocity[0] = 1;
     graze::run<vague> together(graze::scene<2, double>{balls, {}, {}});
     try {
@@ -217,7 +217,7 @@ TEST_CASE("exceptions in the middle of an event change nothing") {
         graze::run<hesitant> interrupted(s.scene(), unsure);
         interrupted.rules().random->seed(*rc::gen::arbitrary<std::uint64_t>());
         const auto expected = told_by(straight, 200);
-        const_cast<hesitant&>(interrupted.rules()).one_in = 300; // after the first predictions, which have no run yet
+        const_cast<hesitant&>(interrupted.rules()).one_in = 300; // only now: the first predictions have no run yet
         RC_ASSERT(told_by(interrupted, 200) == expected);
     }));
 }
@@ -258,7 +258,7 @@ TEST_CASE("velocities turned round bring a run back") {
         for (int i = 0; i < run.balls(); ++i) {
             const auto b = rules.ball_at(run.in_flight(i), 2 * turn);
             const auto& start = s.balls[static_cast<std::size_t>(i)];
-            for (int axis = 0; axis < 2; ++axis) { // a few events multiply an error by no more than this
+            for (int axis = 0; axis < 2; ++axis) { // a few events enlarge an error by no more than this factor
                 RC_ASSERT(std::fabs(b.position[axis] - start.position[axis]) < 1e-6);
             }
         }

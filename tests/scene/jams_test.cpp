@@ -1,4 +1,4 @@
-// Balls whose events never end, and what overlaps at the start.
+// Balls whose events never end, and overlaps at the start.
 #include "exact_runs.hpp"
 
 #include <graze/scene/overlapping.hpp>
@@ -23,7 +23,7 @@ const walls slot = {{{{-5, -0.45}}, {{{{10, 0}}}}}, {{{-5, 0.45}}, {{{{10, 0}}}}
 const balls jammed = {{{{0, 0}}, {{1, 0x1p-10}}, 0.5, 1}, {{{100, 10}}, {{1, 0}}, 0.5, 1}};
 const planes ends = {{{{90, 0}}, {{1, 0}}}, {{{110, 0}}, {{1, 0}}}};
 
-// A mirror that presses a ball to a plane.
+// A mirror that presses a ball against a plane.
 const balls pressed = {
     {{{-3, 0}}, {{1, 0}}, 0.5, infinite}, {{{-1, 0}}, {{0, 0}}, 0.5, 1}, {{{-100, 10}}, {{-1, 0}}, 0.5, 1}};
 const planes press = {{{{0, 0}}, {{1, 0}}}, {{{-110, 0}}, {{1, 0}}}};
@@ -45,7 +45,7 @@ TEST_CASE("a ball that a mirror presses to a plane is named before two million e
     participants named = finished.outcome.jammed;
     std::sort(named.begin(), named.end());
     CHECK(named == participants{{ball, 0}, {ball, 1}, {graze::partner::plane, 0}});
-    // Fewer events in a row will do, and then it is earlier.
+    // With a smaller limit of events in a row, the run ends earlier.
     const auto earlier = run_exactly<2>({pressed, press, {}}, {.time = 50, .jam = 1000});
     CHECK(earlier.outcome.why == graze::ending::cascade);
     CHECK(earlier.outcome.events < finished.outcome.events);
@@ -92,7 +92,7 @@ TEST_CASE("what is jammed stops if one wants, and the others go on until they me
     CHECK(finished.flights[2].since == 9.5);
 
     balls three = jammed;
-    three.push_back({{{4, 0}}, {{-1, 0}}, 0.125, 1}); // into the slot
+    three.push_back({{{4, 0}}, {{-1, 0}}, 0.125, 1}); // it flies into the slot
     finished = run_exactly<2>({three, ends, slot}, {.time = 50, .stop_jams = true});
     CHECK(finished.outcome.why == graze::ending::cascade);
     participants named = finished.outcome.jammed;

@@ -1,5 +1,5 @@
-// Runs on straight tracks in rational numbers, all pairs at every step: where balls meet head-on their states stay
-// rational, and every step can be checked by hand.
+// Runs on straight tracks in rational numbers, with a look at all pairs at every step. Balls that meet head-on have
+// rational states, and every step can be checked by hand.
 #pragma once
 
 #include <graze/scene/scene_pair.hpp>
@@ -28,7 +28,7 @@ struct event {
     bool chosen;
 };
 
-// Beads between the planes x = 0 and x = length, in the order of the scene's lists; plane 0 is the one at 0.
+// Beads between the planes x = 0 and x = length, in the order of the scene's lists. Plane 0 is x = 0.
 class tracks {
   public:
     tracks(std::vector<bead> beads, rational length) : beads_(std::move(beads)), length_(std::move(length)) {
@@ -42,7 +42,7 @@ class tracks {
         std::sort(order_.begin(), order_.end(), [&](int i, int j) { return key(i) < key(j); });
     }
 
-    // The first so many events.
+    // The first `count` events.
     [[nodiscard]] std::vector<event> run(std::size_t count) {
         std::vector<event> told;
         while (told.size() < count) {
@@ -56,7 +56,7 @@ class tracks {
                 if (moved[index(e.who.a)] || (two && moved[index(e.who.b)])) {
                     continue;
                 }
-                for (const event& present : first()) { // what has come about since the batch was seen is in it too
+                for (const event& present : first()) { // includes what has arisen since the batch was found
                     e.chosen = e.chosen || (present.who == e.who && present.chosen);
                 }
                 moved[index(e.who.a)] = true;
@@ -70,7 +70,7 @@ class tracks {
         told.resize(std::min(told.size(), count));
         return told;
     }
-    // Everything at the earliest time from now on, in the order of the balls' numbers, then the planes'.
+    // Everything that happens at the earliest time, in the order of the balls' numbers, then the planes'.
     [[nodiscard]] std::vector<event> first() const {
         std::vector<event> all;
         for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -134,7 +134,7 @@ class tracks {
             return;
         }
         bead& b = at(e.who.b);
-        const rational common = (a.mass * a.v + b.mass * b.v) / (a.mass + b.mass); // of the centre of mass
+        const rational common = (a.mass * a.v + b.mass * b.v) / (a.mass + b.mass); // the velocity of the centre of mass
         a.v = 2 * common - a.v;
         b.v = 2 * common - b.v;
     }

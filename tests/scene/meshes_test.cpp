@@ -27,8 +27,8 @@ TEST_CASE("Nothing is met at a mesh's inner edges, and what else is met stays") 
         return events;
     };
     using graze::partner;
-    // Over the seam too low, along it onto its corner, from beside onto an outer edge, down onto a face and onto the
-    // seam.
+    // Over the seam but too low, along the seam onto its corner, from outside onto an outer edge, down onto a face, and
+    // down onto the seam.
     CHECK(met({{1, 1, 0.499}, {1, 1, 0}, 0.5}, false) == std::vector{graze::scene_pair{partner::triangle, 0, 1}});
     CHECK(met({{1, 1, 0.499}, {1, 1, 0}, 0.5}, true).empty());
     CHECK(met({{5, -1, 0.25}, {-1, 1, 0}, 0.5}, false).size() == 1);

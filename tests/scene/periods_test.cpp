@@ -1,4 +1,4 @@
-// Scenes that repeat themselves: every ball meets the images of the others, wherever it was given.
+// Periodic scenes: every ball meets the images of the others, whichever image was given.
 #include "fraction.hpp"
 
 #include <graze/number/floating.hpp>
@@ -169,7 +169,7 @@ TEST_CASE("in exact numbers the run is that of copies, to the last digit") {
     using exact = graze::plain_mechanics<2, fraction>;
     std::size_t total = 0;
     CHECK(rc::check([&] {
-        // Eight balls of rational places and speeds on two lines; they meet head-on, so that all stays rational.
+        // Eight balls with rational places and speeds on two lines. They meet head-on, so everything stays rational.
         const int most = 15;
         std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
         const auto below = [&](int end) { return fraction(static_cast<int>(random() % static_cast<unsigned>(end))); };
@@ -193,7 +193,7 @@ TEST_CASE("in exact numbers the run is that of copies, to the last digit") {
         if (expected.empty()) {
             return;
         }
-        // What is missing beside the outermost copies comes nearer by no more than one with an event.
+        // The lack of neighbours beyond the outermost copies affects at most one more copy with each event.
         std::vector<graze::ball<2, fraction>> copies;
         for (int k = -most - 1; k <= most + 1; ++k) {
             for (auto b : balls) {

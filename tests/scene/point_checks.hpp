@@ -1,4 +1,4 @@
-// The run of a point against an oracle in rationals, and against balls beside it.
+// The run of a point, compared with an oracle in rationals and with small balls beside it.
 #pragma once
 
 #include "exact_runs.hpp"
@@ -13,7 +13,7 @@ struct told_bounce {
     std::size_t wall;
     graze::vec<3, double> velocity;
     double time;
-    bool turned; // no graze
+    bool turned; // whether it was not a graze
 };
 
 template <int N>
@@ -36,8 +36,8 @@ template <int N>
     return std::ranges::all_of(x, [](const mpq_class& c) { return mpq_class(c.get_d()) == c; });
 }
 
-// Empty, or what is wrong with what a run of at most so many events told, as far as all its states are doubles.
-// fineness: of the shifts in space.
+// What is wrong with the reported events of a run of at most this many events, as long as all states are doubles; empty
+// if nothing is. fineness: of the shifts in space.
 template <int N>
 [[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, const std::vector<told_bounce>& told,
                                           std::size_t most, std::size_t* compared, int fineness) {
@@ -45,12 +45,12 @@ template <int N>
     const walls_around<N> walls(s.walls);
     auto x = exactly(s.point[0].position), u = exactly(s.point[0].velocity);
     mpq_class now = 0;
-    std::size_t next = 0; // of those told
+    std::size_t next = 0; // the next of the reported events
     const auto is_told = [&](std::size_t wall) {
         return next < told.size() && told[next].wall == wall && told[next].time == now.get_d();
     };
     std::vector<std::pair<std::size_t, int>>
-        kept; // sides of the walls along which the point slides since its last event
+        kept; // sides of the walls along which the point has been sliding since its last event
     const auto side_along = [&](std::size_t wall) {
         int result = 0;
         for (const auto& [other, side] : kept) {
@@ -79,8 +79,8 @@ template <int N>
         const auto touching = walls.at(x);
         bool turned = false;
         while (!here.empty() && !turned) {
-            // The first that the point can come to, shifted into it, rather from the side of the others from which it
-            // comes; what such shifts lead to.
+            // First the wall that the point can reach when shifted into it, if possible from the side of the others
+            // from which it comes; then where such shifts lead.
             std::vector<passage> allowed;
             std::optional<touch> met;
             for (const touch& h : here) {
@@ -179,7 +179,7 @@ template <int N>
             }
             for (const passage& way : allowed) {
                 if (way.bounces == found->bounces && way.side != found->side) {
-                    return ""; // either is right, and both go on differently
+                    return ""; // both are right and continue differently
                 }
             }
             keep(touching, [&](std::size_t i) { return found->side[i]; });
@@ -188,7 +188,7 @@ template <int N>
     return "";
 }
 
-// The same, with shifts so fine that no way between walls of a grid is missed, where that makes a difference.
+// The same and, if that matters, again with shifts so fine that they miss no way between walls of a grid.
 template <int N>
 [[nodiscard]] std::string fault_by_oracle(const point_scene<N>& s, const std::vector<told_bounce>& told,
                                           std::size_t most, std::size_t* compared) {
@@ -200,7 +200,7 @@ template <int N>
     return fault_by_oracle<N>(s, bounces_of<N>(s, most), most, compared);
 }
 
-// The same by balls of radius 2^-24 that fly 2^-18 beside the point, as far as they meet the same.
+// The same by balls of radius 2^-24 that fly 2^-18 beside the point, as long as they meet the same things.
 template <int N>
 [[nodiscard]] std::string fault_beside_balls(const point_scene<N>& s, std::size_t most, std::size_t* compared,
                                              int directions) {

@@ -1,5 +1,5 @@
-// A point among walls in rational numbers, by a way that the library does not take: where several walls are at one
-// place, the point is really shifted, by a number so small that nothing else is as near, and flown past them.
+// A point among walls in rational numbers, by a method that the library does not use: where several walls meet, the
+// point is actually shifted, by a number so small that nothing else is as near, and then flies past them.
 #pragma once
 
 #include <graze/scene/canonical_order.hpp>
@@ -65,7 +65,7 @@ struct side {
         }
     }
     mpq_class height(const vector<N>& x) const { return dot<N>(moved<N>(x, -1, corner), normal); }
-    // 1 inside, 0 on the border, -1 outside, of a point in the plane.
+    // For a point in the plane: 1 inside, 0 on the border, -1 outside.
     int place(const vector<N>& x) const {
         int result = 1;
         for (const auto& a : along) {
@@ -79,14 +79,14 @@ struct side {
     }
 };
 
-// What a point comes to: a wall, whether it is at its border, whether it only grazes it.
+// What a point comes to: a wall, whether at its border, and whether it only grazes it.
 struct touch {
     std::size_t wall;
     bool on_border, graze;
 };
 
-// Off what a point bounces at a place, and on which side of the walls there it goes on; 0 where it comes away from
-// them.
+// The walls off which a point bounces at a place, and the side of each wall there on which it continues; 0 if it leaves
+// that wall.
 struct passage {
     std::vector<std::size_t> bounces;
     std::vector<int> side;
@@ -103,7 +103,7 @@ class walls_around {
     }
     const side<N>& operator[](std::size_t i) const { return sides_[i]; }
 
-    // When a point meets a wall, if it does; it does not meet one that it is on.
+    // When a point meets a wall, if it does. It does not meet a wall that it is on.
     std::optional<mpq_class> meet(std::size_t wall, const vector<N>& x, const vector<N>& u) const {
         const side<N>& s = sides_[wall];
         const mpq_class height = s.height(x), speed = dot<N>(u, s.normal);
@@ -114,7 +114,7 @@ class walls_around {
         if (height != 0 || s.place(x) >= 0) {
             return std::nullopt;
         }
-        mpq_class first = 0, last = -1; // the times at which it is in the wall's plane between its borders
+        mpq_class first = 0, last = -1; // the times at which it is in the wall's plane, within the borders
         bool bounded = false;
         for (const auto& a : s.along) {
             const mpq_class at = dot<N>(moved<N>(x, -1, s.corner), a), growth = dot<N>(u, a);
@@ -132,7 +132,7 @@ class walls_around {
         return bounded && first <= last ? std::optional(first) : std::nullopt;
     }
 
-    // All that is met first, what is met inside before what is met on the border, in canonical order.
+    // Everything that is met first: what is met inside, then what is met on the border, each in canonical order.
     std::vector<touch> first(const vector<N>& x, const vector<N>& u, mpq_class& when) const {
         std::vector<touch> found;
         for (const bool on_border : {false, true}) {
@@ -160,7 +160,7 @@ class walls_around {
         return found;
     }
 
-    // All that are at a place: those inside which it is first, and in canonical order.
+    // All walls at a place: those that it is inside of, then the others, each in canonical order.
     std::vector<std::size_t> at(const vector<N>& place) const {
         std::vector<std::size_t> result;
         for (const int wall : order_) {
@@ -172,8 +172,8 @@ class walls_around {
         std::ranges::stable_partition(result, [&](std::size_t i) { return sides_[i].place(place) > 0; });
         return result;
     }
-    // The walls off which a point bounces at `place`, to which it comes with u, if it is shifted by `shift`;
-    // of two that are the same there, `first` is met. Nothing else is so near.
+    // The walls off which a point bounces that comes to `place` with velocity u, if it is shifted by `shift`. Of two
+    // walls that are equal there, the one in `first` is met. Nothing else is so near.
     passage bounces(const vector<N>& place, const vector<N>& shift, vector<N> u, const std::vector<std::size_t>& walls,
                     std::size_t first) const {
         std::vector<std::size_t> here = walls;
@@ -218,7 +218,7 @@ class walls_around {
     std::vector<int> order_;
 };
 
-// Shifts into the wall: in space 8 `fineness` directions, in the plane two, less those out of the wall.
+// Shifts into the wall: in space 8 `fineness` directions, in the plane two, less those that lead out of the wall.
 template <int N>
 std::vector<vector<N>> shifts_into(const side<N>& s, const vector<N>& place, int fineness) {
     std::vector<vector<N>> result;

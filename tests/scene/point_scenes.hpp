@@ -38,7 +38,7 @@ template <int N>
         return d;
     };
     point_scene<N> scene;
-    const auto hub = any(2);                                  // much is there
+    const auto hub = any(2);                                  // a place that many walls go through
     const int flat = N == 3 && one_in(3) ? between(0, 2) : N; // across this axis through the hub most is in one plane
     const auto flattened = [&](graze::vec<N, double> x, double at) {
         if (flat < N && !one_in(4)) {
@@ -62,14 +62,14 @@ template <int N>
                 w.edge[1] = edge();
             } while (graze::squared_norm(graze::cross(w.edge[0], w.edge[1])) == 0);
         }
-        for (auto& e : w.edge) { // it starts there, ends there, or passes through
+        for (auto& e : w.edge) { // it starts at the hub, ends there, or passes through
             const int place = between(0, 3);
             w.corner = place == 1 ? w.corner - e : place == 2 ? w.corner - 0.5 * e : w.corner;
             w.corner = one_in(8) ? w.corner + 2.0 * e : w.corner; // or is elsewhere on its line
         }
         scene.walls.push_back(w);
     }
-    if (one_in(2)) { // round all this, a box
+    if (one_in(2)) { // a box around everything
         for (int axis = 0; axis < N; ++axis) {
             for (const double at : {-8.0, 8.0}) {
                 graze::wall<N> w{graze::make_vec<N>([&](int i) { return i == axis ? at : -8.0; }), {}};

@@ -1,5 +1,5 @@
-// Drawn scenes of a point among walls, by the oracle in rationals and beside balls: points_soak [scenes [first seed]].
-// Half of them are in space, and half of the walls slanted. Ends with 1 if any is wrong, and names it.
+// Random scenes of a point among walls, compared with the oracle in rationals and with small balls: points_soak [scenes
+// [first seed]]. Half are in space, and half have slanted walls. Exit code 1 if any is wrong, which it names.
 #include "point_checks.hpp"
 
 #include <cstdio>

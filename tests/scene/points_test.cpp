@@ -1,4 +1,4 @@
-// A point among walls, in runs: against an oracle in rationals and against balls beside it; and what was once wrong.
+// A point among walls in runs, compared with an oracle in rationals and with small balls; and what was once wrong.
 #include "point_checks.hpp"
 #include "sliding_scenes.hpp"
 
@@ -43,7 +43,7 @@ TEST_CASE("a point meets what the oracle says, and what balls beside it meet") {
 }
 
 TEST_CASE("a point is not turned back by the tip of a wall beside which it has come") {
-    // Found by the soak: its position rounds to just that tip.
+    // Found by the soak: the point's position rounds to exactly that tip.
     CHECK(fault_beside_balls<2>(any_point_scene<2>(2'012'954, true), 12, nullptr) == "");
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("a point bounces once at an outward tip, however sharp") {
         for (const double lower : {-1.0, 0.0}) {
             const point_scene<2> s{{{{{-1, 0}}, {{1, 0}}, 0, 1}},
                                    {{{{0, 0}}, {{{{length, 1}}}}}, {{{0, 0}}, {{{{length, lower}}}}}}};
-            const auto told = bounces_of<2>(s, 1000); // one along the way is grazed
+            const auto told = bounces_of<2>(s, 1000); // one wall along the way is grazed
             CHECK(std::ranges::count_if(told, &told_bounce::turned) == 1);
         }
     }
@@ -81,9 +81,9 @@ TEST_CASE("a point that has come to slide above a floor stays above it") {
         std::erase_if(told, [](const told_bounce& b) { return !b.turned; });
         CHECK(told.front().wall == 0);
         CHECK(told.front().velocity[1] == 0);
-        if (std::abs(s.walls[1].edge[0][1]) == 1) { // it hangs, and is not reached
+        if (std::abs(s.walls[1].edge[0][1]) == 1) { // that wall hangs and is not reached
             CHECK(told.size() == 1);
-        } else { // down, up, and back as it came
+        } else { // down, up, and back the way it came
             REQUIRE(told.size() == 5);
             CHECK(told[1].wall == 1);
             CHECK(told[2].wall >= 2);
@@ -94,7 +94,7 @@ TEST_CASE("a point that has come to slide above a floor stays above it") {
     }
 }
 
-// Off a slanted wall a point turns to go up the edge in which two walls meet, to a third across that edge.
+// A point turns at a slanted wall and goes up the edge where two walls meet, to a third wall across that edge.
 TEST_CASE("a point that slides along two walls stays in the corner between them") {
     for (const double x : {1.0, -1.0}) {
         for (const double y : {1.0, -1.0}) {
@@ -118,7 +118,7 @@ TEST_CASE("a point that slides along two walls stays in the corner between them"
 
 TEST_CASE("a point comes out of a wedge of walls on the side from which it came") {
     const point_scene<2> s{{{{{8, 1}}, {{-8, -1}}, 0, 1}}, {{{{0, 0}}, {{{{9, 0}}}}}, {{{0, 0}}, {{{{8, 2}}}}}}};
-    CHECK(met_by(s).size() == 13); // as straightened out
+    CHECK(met_by(s).size() == 13); // as in the straightened picture
     CHECK(last_velocity(s)[1] > 0);
     CHECK(last_velocity(s)[0] > 4 * last_velocity(s)[1]);
 }

@@ -33,7 +33,7 @@ std::string message_of(const graze::scene<2>& scene) {
     return "";
 }
 
-// Four walls round the square from 0 to 1.
+// Four walls around the square from 0 to 1.
 const walls box = {
     {{{0, 0}}, {{{{1, 0}}}}}, {{{1, 0}}, {{{{0, 1}}}}}, {{{1, 1}}, {{{{-1, 0}}}}}, {{{0, 1}}, {{{{0, -1}}}}}};
 
@@ -138,7 +138,7 @@ TEST_CASE("a mirror keeps its flight, whatever it meets") {
 TEST_CASE("a mirror that meets a plane or a wall is told, and flies on") {
     const planes flat = {{{{0, 0}}, {{1, 0}}}};
     const walls upright = {{{{7, -1}}, {{{{0, 2}}}}}};
-    for (const double x : {-3.0, -0.5}) { // comes to the plane, and cuts it
+    for (const double x : {-3.0, -0.5}) { // it comes to the plane; it cuts the plane
         const balls mirror = {{{{x, 0}}, {{1, 0}}, 1, infinite}};
         std::vector<graze::scene_pair> met;
         const auto finished = run_exactly<2>({mirror, flat, upright}, {}, [&](const exact_event<2>& e) {
@@ -179,11 +179,11 @@ TEST_CASE("an event that shares a ball with one that another of the same time br
         return true;
     });
     REQUIRE(told.size() >= 3);
-    CHECK(told[0] == std::pair(graze::scene_pair{graze::partner::ball, 0, 1}, false)); // brings 1 and 2 about
+    CHECK(told[0] == std::pair(graze::scene_pair{graze::partner::ball, 0, 1}, false)); // causes that of 1 and 2
     CHECK(told[1] == std::pair(graze::scene_pair{graze::partner::ball, 2, 3}, true));
     CHECK(told[2] == std::pair(graze::scene_pair{graze::partner::ball, 1, 2}, false));
     CHECK(finished.outcome.choices == 1);
-    // A mirror between them is shared, but its flight stays: nothing is chosen.
+    // They share a mirror. Its flight does not change, so nothing had to be chosen.
     balls five = four;
     five[1].mass = five[2].mass = infinite;
     CHECK(run_exactly<2>({five, {}, {}}, {.time = 2}).outcome.choices == 0);
@@ -209,7 +209,7 @@ TEST_CASE("of grazes at one time none is lost, and a hit beside them is as if th
     balls three = {{{{-5, 1}}, {{1, 0}}, 0.5, 1}, {{{0, 0}}, {{0, 0}}, 0.5, 1}, {{{0, 2}}, {{0, 0}}, 0.5, 1}};
     const std::vector<graze::scene_pair> pair = {{partner::ball, 0, 1}, {partner::ball, 0, 2}};
     CHECK(events_of({three, {}, {}}) == std::pair(pair, on));
-    // Halfway between two others, at a place that no double is.
+    // Halfway between two others, at a place that is no double.
     const balls third = {{{{-5, 0}}, {{1, 0}}, 0.1, 1}};
     const walls narrow = {{{{0, 0.1}}, {{{{0, 3}}}}}, {{{0, -0.1}}, {{{{0, -3}}}}}};
     CHECK(events_of({third, {}, narrow}).first.size() == 2);
@@ -221,8 +221,8 @@ TEST_CASE("of grazes at one time none is lost, and a hit beside them is as if th
 }
 
 TEST_CASE("a cascade without end is reported") {
-    // Two infinite masses come together on a ball that both overlap. The left one, first by its numbers, makes its
-    // speed 3/2, and each of the others adds 2.
+    // Two infinite masses approach each other and both overlap the ball between them. The left one, whose number is
+    // first, makes the ball's speed 3/2; each of the others adds 2.
     const balls press = {{{{-1.0625, 0}}, {{1, 0}}, 1, infinite},
                          {{{1.0625, 0}}, {{-1, 0}}, 1, infinite},
                          {{{0, 0}}, {{0.5, 0}}, 0.125, 1}};
@@ -251,15 +251,15 @@ TEST_CASE("a clock is set back where every time stays exact, and between instant
     const balls two = {{{{3, 0}}, {{-1, 0}}, 1, 1}, {{{4, 5}}, {{-1, 0}}, 2, 1}};
     const planes ends = {{{{0, 0}}, {{1, 0}}}, {{{10, 0}}, {{1, 0}}}};
     graze::run<plain> run(graze::scene<2>{two, ends, {}});
-    CHECK(run.advance({.events = 1}).events == 1); // one of two at 2
+    CHECK(run.advance({.events = 1}).events == 1); // one of two at t = 2
     CHECK_FALSE(run.set_clock_back(2));
     CHECK(run.advance({.time = 3}).events == 1);
     CHECK_FALSE(run.set_clock_back(0x1p-60));
     CHECK(run.in_flight(0).since == 2);
-    CHECK(run.set_clock_back(3)); // what has been looked at is predicted anew
+    CHECK(run.set_clock_back(3)); // predicted events are predicted again
     CHECK(run.in_flight(0).since == -1);
     CHECK(run.in_flight(1).since == -1);
-    const auto later = run.advance({.time = 5}, [](const graze::run_event<plain>& e) { // at 8 of the clock before
+    const auto later = run.advance({.time = 5}, [](const graze::run_event<plain>& e) { // at 8 on the old clock
         CHECK(e.who == graze::scene_pair{graze::partner::plane, 1, 1});
         CHECK(e.when == 5);
     });
@@ -299,7 +299,7 @@ TEST_CASE("other states are checked, and a run goes on from them as from a start
     CHECK(run.advance({}).events == 1);
     CHECK(run.in_flight(1).since == 3.5);
 
-    graze::run<plain> mirror(graze::scene<2>{two, upright, {}}); // which comes to the plane at 8 and is not told again
+    graze::run<plain> mirror(graze::scene<2>{two, upright, {}}); // it comes to the plane at 8, which is told once
     CHECK(mirror.advance({.time = 9}).events == 3);
     mirror.restate([&](int i, const graze::flight<2>& f) {
         return i == 2 ? f : graze::flight<2>{mirror.rules().ball_at(f, 9), 9};
@@ -316,7 +316,7 @@ TEST_CASE("states of the last event's time are taken as it was rounded, and what
         return static_cast<float>(low) +
                static_cast<float>(high - low) * std::ldexp(static_cast<float>(random() >> 40), -24);
     };
-    int earlier = 0; // so often the time was rounded down
+    int earlier = 0; // how often the time was rounded down
     for (int i = 0; i < 50; ++i) {
         const std::vector<graze::ball<2, float>> two = {{{{between(-9, -5), 0}}, {{between(1, 2), 0}}, 1, 1},
                                                         {{{between(5, 9), 0}}, {{between(-2, -1), 0}}, 1, 1}};
@@ -324,7 +324,7 @@ TEST_CASE("states of the last event's time are taken as it was rounded, and what
         bool rounded_down = false;
         run.advance({}, [&](const graze::run_event<floats>& e) { rounded_down = e.when > e.after_a.since; });
         earlier += rounded_down ? 1 : 0;
-        run.restate([](int, graze::flight<2, float> f) { // back into each other
+        run.restate([](int, graze::flight<2, float> f) { // moved back into each other
             f.state.position[0] *= 0.5F;
             f.state.velocity[0] = -f.state.velocity[0];
             return f;
@@ -340,7 +340,7 @@ TEST_CASE("a cascade is over when other states are given") {
     graze::run<plain> run(graze::scene<2>{three, {}, {}});
     CHECK(run.advance({}).why == graze::ending::cascade);
     run.restate([](int i, graze::flight<2> f) {
-        return i == 2 ? graze::flight<2>{{{{-2, 2}}, {{0, -1}}, 1.5, 1}, f.since} : f; // into one of the mirrors
+        return i == 2 ? graze::flight<2>{{{{-2, 2}}, {{0, -1}}, 1.5, 1}, f.since} : f; // moved into one of the mirrors
     });
     CHECK(run.advance({.events = 1}).events == 1);
 }
@@ -390,7 +390,7 @@ TEST_CASE("a point stays on its side") {
 }
 
 TEST_CASE("a point that a ball pins to a wall does not pass through it") {
-    // The point bounces between a wall and a heavy ball that comes nearer until it turns.
+    // The point bounces between a wall and a heavy ball that approaches until it turns.
     const balls pinned = {{{{0.3, 0.1}}, {{-1, 0}}, 0, 1}, {{{2.3, 0.1}}, {{-1, 0}}, 0.7, 1e6}};
     const planes wall = {{{{0.1, 0}}, {{1, 0}}}};
     const auto finished = run_exactly<2>({pinned, wall, {}}, {}, [](const exact_event<2>& e) {
@@ -416,7 +416,7 @@ TEST_CASE("a point that comes to a corner leaves it on the side from which it ca
         CHECK(run.advance({}).events == 2);
         CHECK(run.in_flight(0).state.velocity == graze::vec<2, double>{{1, 1}});
     }
-    // Where a mirror stands on the plane, and in a wedge of atan(1/4), which straightened out is left after 13 faces.
+    // A mirror stands on the plane; and a wedge of atan(1/4), which a straightened way leaves after 13 faces.
     const balls at_mirror = {{{{1, 0}}, {{-1, 0}}, 0, 1}, {{{0, -1}}, {{0, 0}}, 1, infinite}};
     const planes upright = {{{{0, 0}}, {{1, 0}}}};
     auto finished = run_exactly<2>({at_mirror, upright, {}}, {});
@@ -433,7 +433,7 @@ TEST_CASE("a point that comes to a corner leaves it on the side from which it ca
 
 TEST_CASE("a point in a box with slanted sides stays in it, into the corners too") {
     CHECK(rc::check([] {
-        // Walls through the corners at ±(1, k) and ±(k, -1), whose sides no grid of doubles follows.
+        // Walls with corners at ±(1, k) and ±(k, -1), whose sides follow no grid of doubles.
         const double k = *rc::gen::inRange(1, 9) * 0.1;
         const graze::vec<2, double> corners[] = {{{1, k}}, {{-k, 1}}, {{-1, -k}}, {{k, -1}}};
         planes box_of_planes;

@@ -1,5 +1,4 @@
-// The sequence of events, against an oracle that shares no code with the library; and that it depends on the scene
-// alone.
+// The sequence of events, compared with an oracle that shares no code with the library. It depends on the scene alone.
 #include "exact_runs.hpp"
 #include "line_oracle.hpp"
 
@@ -42,8 +41,8 @@ std::vector<told_event> events_of(const std::vector<bead>& beads, std::size_t co
     return told;
 }
 
-// Beads on tracks with gaps of whole numbers, many of them 0. Of speed 1 or none and equal masses, they only ever have
-// dyadic states, which doubles hold: every tie is a tie.
+// Beads on tracks with gaps of whole numbers, many of them 0. If all have speed 1 or 0 and equal masses, their states
+// are always dyadic, and doubles hold them: then every tie is exact.
 std::vector<bead> any_beads(bool dyadic) {
     std::vector<bead> beads;
     const int tracks = *rc::gen::inRange(1, 4);

@@ -1,4 +1,4 @@
-// One run, many number types: Galperin's billiard has the same count in all types with enough digits.
+// One run in many number types: Galperin's billiard has the same count in all types with enough digits.
 #include <graze/number/adapter/boost.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/run/plain_mechanics.hpp>

@@ -1,6 +1,6 @@
-// graze-batch-soak [COUNT [SEED]]: COUNT pairs of balls in batches, a quarter of them each in 2D and 3D, float and
-// double, and as many balls against planes and walls; every answer is compared with that of the scalar function. Ends
-// with 1 if one differs.
+// graze-batch-soak [COUNT [SEED]]: COUNT pairs of balls in batches, a quarter each in 2D and 3D, float and double, and
+// as many balls against planes and walls. Every answer is compared with the scalar function's. Exit code 1 if one
+// differs.
 #include <families/random.hpp>
 
 #include <graze/batch.hpp>
@@ -16,14 +16,14 @@
 
 namespace {
 
-constexpr std::size_t size = 1'000; // pairs a batch: whole blocks and a rest
+constexpr std::size_t size = 1'000; // pairs in a batch: whole blocks and a rest
 
 template <class T>
 class numbers {
   public:
     explicit numbers(std::uint64_t seed) : random_(seed) {}
 
-    // In (-1, 1), of all bits; or, of a batch on a grid, a multiple of an eighth, one in eight a unit beside.
+    // In (-1, 1), with all bits. In a batch on a grid a multiple of an eighth; one in eight of these is off by a unit.
     [[nodiscard]] T number(bool grid) {
         if (!grid) {
             return static_cast<T>(random_.signed_bits(53)) * T(0x1p-53);
@@ -101,7 +101,7 @@ void run(std::uint64_t count, std::uint64_t seed, const char* name) {
         const auto a = draw<N, T>(from, grid, length, velocity), b = draw<N, T>(from, grid, length, velocity);
         compare(
             a, b, [&](std::size_t i) -> const auto& { return b[i]; }, balls);
-        if (done % (64 * size) == 0) { // against a plane and a wall, which take longer
+        if (done % (64 * size) == 0) { // now and then against a plane and a wall, which take longer
             const graze::plane<N, T> p{from.template vector<N>(grid, length), from.template vector<N>(false, T(1))};
             graze::wall<N, T> w{from.template vector<N>(grid, length), {}};
             for (auto& e : w.edge) {

@@ -21,10 +21,10 @@ struct event {
     oracle::surd truth;
 };
 
-// The sign of an ordering, and 2 for `unordered`.
+// The sign of an ordering, with 2 for `unordered`.
 inline int sign_of(std::partial_ordering o) { return o < 0 ? -1 : o > 0 ? 1 : o == 0 ? 0 : 2; }
 
-// A time near x, from the last place of its significand up to far away, or exactly it where that is a double.
+// A time near x, from its last place to far away; or x itself, if that is a double.
 inline double near(families::random& r, double x) {
     const std::uint64_t step = r.below(4) == 0 ? 0 : std::uint64_t{1} << r.below(52);
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 63);
@@ -39,7 +39,7 @@ class block {
     block(tally& seen, std::vector<event<N>>& earlier, families::random random)
         : seen_(seen), earlier_(earlier), random_(random) {}
 
-    // All answers of one pair; false if one of them is wrong.
+    // Compares all answers about one pair. False if one of them is wrong.
     template <class A, class B>
     [[nodiscard]] bool decide(const A& a, const B& b) {
         auto decided_by = graze::stage::filter;
@@ -60,7 +60,7 @@ class block {
     }
 
   private:
-    // Against the last event, an earlier one of any family, and a double.
+    // Compares e with the last event, with an earlier one of any family, and with a double.
     [[nodiscard]] bool order(const event<N>& e) {
         bool right = true;
         if (!earlier_.empty()) {

@@ -8,8 +8,8 @@
 
 namespace families {
 
-// A ball at x + w that moves with v + u and, by kind, another ball at x that moves with v, a plane through x whose
-// normal is edge[0], or a wall with a corner at x.
+// A ball at x + w with velocity v + u and, depending on kind, another ball at x with velocity v, a plane through x
+// whose normal is edge[0], or a wall with a corner at x.
 template <int N>
 struct integer_pair {
     integers<N> x{}, v{}, w{}, u{};

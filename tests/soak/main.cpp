@@ -46,7 +46,7 @@ struct result {
     }
 };
 
-// Pairs number 0 to count - 1 of every family, in the plane and in space. The answer does not depend on the threads.
+// Pairs 0 to count - 1 of every family, in the plane and in space. The answer does not depend on the threads.
 result run(drawn what, std::uint64_t seed, std::uint64_t count, unsigned threads) {
     result total;
     std::mutex guard;

@@ -5,8 +5,8 @@
 
 namespace families {
 
-// Small whole numbers: all the ties and degenerate cases that there are, points and sliding among them. At every fourth
-// index one number of the ball is one unit in the last place beside. The units are random powers of two.
+// Small whole numbers, with all ties and degenerate cases, including points and sliding. At every fourth index one
+// number of the ball is off by a unit in the last place. The units are random powers of two.
 template <int N, pair_kind Kind>
 [[nodiscard]] constexpr pair_of_doubles<N> small_grid(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -21,7 +21,7 @@ template <int N, pair_kind Kind>
         m.other_radius = r.in(0, 3);
     }
     if constexpr (N == 3 && Kind == pair_kind::ball_wall) {
-        if (r.one_in(2)) { // a wall across the third axis, along which the ball may not move
+        if (r.one_in(2)) { // a wall across the third axis, along which the ball might not move
             m.edge = {{{r.in(1, 3), r.in(-1, 1), 0}, {r.in(-1, 1), r.in(2, 4), 0}}};
             m.u[2] *= r.in(0, 1);
         }
@@ -36,9 +36,9 @@ template <int N, pair_kind Kind>
     return pair;
 }
 
-// A ball beside a plane, or a wall that is large beside it, at exactly its radius from it, or 2^-k of it nearer or
-// farther; moving towards it, away or along it. At every fourth index one number of the ball is one unit in the last
-// place beside.
+// A ball and a plane, or a wall that is large compared with the ball. The ball is at exactly its radius from it, or
+// 2^-k of that nearer or farther, and moves towards it, away or along it. At every fourth index one number of the ball
+// is off by a unit in the last place.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> face_contact(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);
@@ -103,7 +103,7 @@ template <int N>
     return pair;
 }
 
-// Walls whose edges are all but parallel (in the plane: a generic wall), so that products of them cancel.
+// Walls with nearly parallel edges (in the plane: a generic wall), so that their products cancel.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> thin_walls(std::uint64_t seed, std::uint64_t index) {
     pair_of_doubles<N> pair = generic_wall<N>(seed, 4 * index + 1 + index % 3);
@@ -140,7 +140,7 @@ template <int N>
     m.w = random_vector<N>(r, bits);
     m.u = random_vector<N>(r, bits);
     m.edge = random_edges<N>(r, bits);
-    for (std::size_t i = 0; i < N && r.below(4) != 0; ++i) { // at the middle of the wall, more or less
+    for (std::size_t i = 0; i < N && r.below(4) != 0; ++i) { // roughly at the middle of the wall
         m.u[i] = m.u[i] / 4 - m.w[i] + (m.edge.front()[i] + m.edge.back()[i]) / 2;
     }
     m.radius = r.in(0, std::int64_t{1} << (bits - 2));
@@ -148,8 +148,7 @@ template <int N>
     return make_pair(kind, m, -1074, index / 4 % 2 == 0 ? -1074 : -bits, index / 8 % 2 == 0 ? -1074 : 0);
 }
 
-// Planes and walls of which every number has an exponent of its own, within 2^±200, at every fourth index within
-// 2^±1000.
+// Planes and walls in which every number has its own exponent, within 2^±200 or, at every fourth index, within 2^±1000.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> own_exponents_walls(std::uint64_t seed, std::uint64_t index) {
     random r(seed, index);

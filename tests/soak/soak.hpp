@@ -11,7 +11,7 @@
 
 namespace soak {
 
-// All of the examples' families and those of the tests.
+// All families of the examples and of the tests.
 inline constexpr auto families_drawn = [] {
     std::array<families::family, families::all_families.size() + families::more_families.size()> all{};
     std::size_t n = 0;
@@ -27,22 +27,22 @@ inline constexpr auto families_drawn = [] {
 // The counts of one family in one dimension.
 struct tally {
     std::uint64_t pairs = 0, exact = 0, wrong = 0;
-    std::uint64_t hard = 0; // of which the filter was not certain
+    std::uint64_t hard = 0; // pairs that the filter left open
     std::array<std::uint64_t, 5> encounters{};
     std::uint64_t orders = 0, exact_orders = 0, ties = 0, wrong_orders = 0;
 
     tally& operator+=(const tally& other);
 };
 
-// families_drawn[i]'s.
+// Element i belongs to families_drawn[i].
 using tallies = std::array<tally, families_drawn.size()>;
 
-// What is drawn: all pairs, or the walls in space alone, each as the triangle that is its half.
+// What is drawn: all pairs, or only the walls in space, each replaced by the triangle that is its half.
 enum class drawn { all, triangles };
 
-// Draws pairs number first to first + count - 1 of every family in N dimensions, and compares classify, overlaps,
-// time_of_impact, the order of times and their order against doubles with the oracle. A pair decided wrongly is
-// described in `complaints`.
+// Draws pairs first to first + count - 1 of every family in N dimensions. Compares classify, overlaps, time_of_impact,
+// the order of times and their order against doubles with the oracle. Describes each pair decided wrongly in
+// `complaints`.
 template <int N>
 void run_block(drawn what, std::uint64_t seed, std::uint64_t first, std::uint64_t count, tallies& seen,
                std::vector<std::string>& complaints);

@@ -1,6 +1,6 @@
 // graze-batch-speed: what a pair costs in a batch, beside plain floating point over the same columns and beside the
-// scalar functions, in nanoseconds: the least of many rounds, in which all take turns. Plain is what one writes without
-// a library: one pair after the other, not exact, in the same number type; with branches as one thinks of them, and
+// scalar functions. In nanoseconds, the least of many rounds in which all take turns. Plain is what one writes without
+// a library: one pair after the other, not exact, in the same number type; once with the obvious branches, and once
 // without any.
 #include <families/families.hpp>
 
@@ -98,7 +98,7 @@ template <int N, class T>
     }
 }
 
-// Each takes its turn in every round.
+// Each of them takes its turn in every round.
 class turns {
   public:
     explicit turns(std::size_t pairs = count) : pairs_(static_cast<double>(pairs)) {}
@@ -123,7 +123,7 @@ class turns {
 template <class T>
 constexpr const char* name_of = sizeof(T) == 4 ? "float" : "double";
 
-// Pairs of the family, until there are as many of two balls.
+// Pairs of the family, until there are enough of two balls.
 template <int N, class T>
 std::array<many<N, T>, 2> balls_of(const families::family& family, std::size_t size) {
     std::array<many<N, T>, 2> r;
@@ -158,7 +158,7 @@ void measure_balls() {
                 t[0], t[1], t[2], t[3], t[3] / t[0], t[3] / t[1], t[4], t[4] / t[0], t[4] / t[1], t[5]);
 }
 
-// Times rounded to nearest: one by one, and as a batch.
+// Times rounded to nearest: one by one, and in a batch.
 template <int N, class T>
 void measure_times() {
     const auto pairs = balls_of<N, T>(families::all_families[0], count);
@@ -177,7 +177,7 @@ void measure_times() {
                 t[2] / t[0]);
 }
 
-// Against one thing: one by one, and as a batch of columns.
+// Against one thing: one by one, and in a batch of columns.
 template <int N, class T, class Shape>
 void measure_shape(const char* name, const Shape& shape) {
     const auto balls = balls_of<N, T>(families::all_families[0], count)[0];
@@ -209,7 +209,7 @@ void measure_shapes() {
     measure_shape<N, T>("wall", w);
 }
 
-// A family of hard pairs: one by one, and as a batch.
+// A family of hard pairs: one by one, and in a batch.
 template <int N>
 void measure_family(const families::family& family) {
     constexpr std::size_t size = 4'096;
@@ -227,7 +227,7 @@ void measure_family(const families::family& family) {
                 t[0], t[1], t[1] / t[0]);
 }
 
-// The same batch in one thread, and in two.
+// The same batch in one thread and in two.
 template <int N, class T>
 void measure_threads() {
     const auto pairs = balls_of<N, T>(families::all_families[0], 8 * count);

@@ -11,10 +11,10 @@ namespace speed {
 
 namespace {
 
-// CGAL::Exact_rational is a Boost type with expression templates here, which formulas that say auto cannot take.
+// CGAL::Exact_rational is a Boost type with expression templates here; formulas that say auto cannot take it.
 using rational = CGAL::Gmpq;
 
-// The usual filtered kernel by hand: an interval first, an exact rational where that leaves the sign open.
+// The usual filtered kernel, by hand: an interval first, and an exact rational if that leaves the sign open.
 struct interval_then_exact {
     converted<CGAL::Interval_nt<false>> fast;
     converted<rational> exact;

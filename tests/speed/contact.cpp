@@ -1,5 +1,5 @@
-// Correctly rounded times and contacts: against plain doubles and MPFR, the integers alone, and how often each family
-// needs them.
+// Correctly rounded times and contacts: compared with plain doubles, MPFR and the integers alone; and how often each
+// family needs integers.
 #include "speed.hpp"
 
 #include <families/families.hpp>
@@ -20,7 +20,7 @@ namespace speed {
 
 namespace {
 
-// The whole contact by the same formulas as they are.
+// The whole contact by the same formulas, unchanged.
 template <class T>
 bool plain_contact(graze::contact<3, T>& x, const ball<3, T>& a, const ball<3, T>& b) {
     const auto time = plain_time(a, b);
@@ -54,7 +54,7 @@ bool graze_contact(graze::contact<3>& x, const ball<3>& a, const ball<3>& b) {
     return found.has_value();
 }
 
-// The generic pairs with a mass from 1 to 2 each; or those of them that hit.
+// The generic pairs with random masses from 1 to 2; with hits_only, only those that hit.
 pairs with_masses(const pairs& all, bool hits_only) {
     pairs p;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -70,7 +70,7 @@ pairs with_masses(const pairs& all, bool hits_only) {
     return p;
 }
 
-// Whether f(x, i) fills in x, which is looked at.
+// Times f(x, i), which says whether it filled in x. x counts as used, so that nothing is optimised away.
 template <class C, class F>
 void compare_contact(const std::string& group, const std::string& name, std::size_t count, F f) {
     compare(group, name, count, [f](std::size_t i) {
@@ -108,7 +108,7 @@ void compare_rounding(const std::string& pairs_name, const pairs& p) {
 #endif
 }
 
-// By integers alone: what one component costs that doubles leave in doubt, and all of them.
+// By integers alone: the cost of one component that doubles leave open, and of all components.
 void compare_exact(const std::string& pairs_name, const pairs& p) {
     using part = graze::detail::contact_component;
     using graze::detail::component_set;

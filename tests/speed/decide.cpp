@@ -1,5 +1,5 @@
-// The cost of an encounter: against plain number types, by the exact stage alone, and how often each family needs that
-// stage.
+// The cost of an encounter: compared with plain number types and with the exact stage alone; and how often each family
+// needs that stage.
 #include "speed.hpp"
 
 #include <families/families.hpp>

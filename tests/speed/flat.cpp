@@ -1,4 +1,4 @@
-// Walls and triangles in space: what triangles, floats and flights cost beside a ball and a wall in doubles.
+// Walls and triangles in space: the cost of triangles, floats and flights beside that of a ball and a wall in doubles.
 #include "speed.hpp"
 
 #include <graze/collide.hpp>
@@ -9,7 +9,7 @@ namespace speed {
 
 namespace {
 
-constexpr std::size_t count = 16384; // more than a predictor learns by heart
+constexpr std::size_t count = 16384; // more than a branch predictor can remember
 
 double uniform(families::random& r, double low, double high) {
     return low + (high - low) * std::fabs(std::ldexp(static_cast<double>(r.signed_bits(53)), -53));
@@ -45,7 +45,7 @@ graze::vec<3, T> as_vector(const graze::vec<3, double>& x) {
     return graze::make_vec<3>([&](int i) { return static_cast<T>(x[i]); });
 }
 
-// f(ball, shape) of each pair, made by make(i).
+// Times f(ball, shape) for each pair, which make(i) makes.
 template <class Make, class F>
 void compare_pairs(const std::string& group, const std::string& name, Make make, F f) {
     using pair = decltype(make(std::size_t{}));

@@ -1,5 +1,5 @@
-// Flights: predictions, the order of their times and contacts, against plain doubles of the same formulas and against
-// balls of one epoch.
+// Flights: predictions, the order of their times, and contacts, compared with the same formulas in plain doubles and
+// with balls of one epoch.
 #include "speed.hpp"
 
 #include <graze/collide.hpp>
@@ -18,8 +18,8 @@ struct flights {
     std::vector<flight> a, b;
 };
 
-// The generic pairs, one of which started up to 8 units of time before the other: it is where it must be at the later
-// one's start but for rounding.
+// The generic pairs. In each, one ball started up to 8 units of time before the other, and at the later start it is
+// where it should be, except for rounding.
 const flights& generic_flights(bool hits_only) {
     const auto draw = [](bool only) {
         flights f;
@@ -47,7 +47,7 @@ const flights& generic_flights(bool hits_only) {
     return hits_only ? hits : all;
 }
 
-// The same formulas in doubles; an infinity where they do not meet.
+// The same formulas in doubles; infinity if they do not meet.
 struct plain_prediction {
     graze::relative_motion<3, double, double, double> motion;
     double start, time;

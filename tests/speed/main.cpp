@@ -1,4 +1,4 @@
-// graze-speed: the cost of graze relative to what it would replace, as ratios measured in one run.
+// graze-speed: the cost of graze relative to its alternatives, as ratios measured in one run.
 #include "speed.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ void print_contact_stages();
 
 namespace {
 
-// Prints as usual and keeps the medians, for the ratios that are printed at the end.
+// Prints as usual, and keeps the medians for the ratios that are printed at the end.
 class ratio_reporter : public benchmark::ConsoleReporter {
   public:
     void ReportRuns(const std::vector<Run>& runs) override {
@@ -42,8 +42,7 @@ class ratio_reporter : public benchmark::ConsoleReporter {
             std::printf("\n%s: nanoseconds (median of %zu, least), ratio to the first\n", group.c_str(),
                         times_[group].front().second.size());
             double first = 0;
-            auto& members =
-                times_[group]; // the benchmarks run in random order; the names of what is replaced come first
+            auto& members = times_[group]; // benchmarks run in random order; the alternatives' names come first
             std::stable_partition(members.begin(), members.end(),
                                   [](const auto& m) { return m.first.find("graze") == std::string::npos; });
             std::stable_partition(members.begin(), members.end(),

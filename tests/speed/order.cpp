@@ -1,4 +1,4 @@
-// Making and ordering the times of two collisions: against plain doubles, apart and on ties.
+// Making and ordering the times of two collisions, compared with plain doubles; different times, and ties.
 #include "speed.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace speed {
 
 namespace {
 
-// An infinity when there is no time.
+// Infinity if there is no time.
 double plain_or_never(const ball<3>& a, const ball<3>& b) { return plain_time(a, b).value_or(INFINITY); }
 
 bool exact_order(const ball<3>& a, const ball<3>& b, const ball<3>& c, const ball<3>& d) {
@@ -18,7 +18,7 @@ bool exact_order(const ball<3>& a, const ball<3>& b, const ball<3>& c, const bal
     return s && (!t || *s < *t);
 }
 
-// Generic pairs that hit, and beside each its mirror image, which hits at exactly the same time.
+// Generic pairs that hit, each with its mirror image, which hits at exactly the same time.
 const pairs& hits() {
     static const pairs result = [] {
         pairs p;

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t count = 4096;
 constexpr std::uint64_t seed = 20261122;
 
-// Uniform in (-1, 1) with all 53 bits in use.
+// Uniform in (-1, 1), using all 53 bits.
 double unit(families::random& r) { return std::ldexp(static_cast<double>(r.signed_bits(53)), -53); }
 
 graze::vec<3, double> vector(families::random& r, double size) {
@@ -48,7 +48,7 @@ pairs draw_generic(std::size_t number) {
             return ball<3>{position, velocity, radius(r)};
         },
         number);
-    // a's velocity relative to b is towards b or, in every second pair, away from it, give or take a little.
+    // a's velocity relative to b is roughly towards b or, in every second pair, away from it.
     for (std::size_t i = 0; i < number; ++i) {
         families::random r(seed + 1, i);
         const double approach = r.one_in(2) ? 0.1 : -0.1;

@@ -1,4 +1,4 @@
-// The decision about two balls by the formulas as they are, in any number type.
+// The decision about two balls by the unchanged formulas, in any number type.
 #pragma once
 
 #include <graze/formula/discriminant.hpp>
@@ -17,7 +17,7 @@ template <class T>
     return {as<T>(x.position), as<T>(x.velocity), T(x.radius), T(x.mass)};
 }
 
-// The decision by the formulas as they are in T, without a filter: what classify is compared with.
+// The decision by the formulas in T, without a filter: classify is compared with this.
 template <class T>
 [[nodiscard]] inline graze::encounter decide(const graze::ball<3, T>& a, const graze::ball<3, T>& b) {
     const auto m = graze::relative_motion_of(a, b);

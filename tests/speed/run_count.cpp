@@ -1,5 +1,5 @@
-// graze-run-count: a fluid of 500 hard spheres that has melted for 10 events a ball, and so many events of it, for a
-// program that counts instructions. [count_run.cmake]
+// graze-run-count, for a program that counts instructions: a fluid of 500 hard spheres melts for 10 events a ball, then
+// runs for the given number of events. [count_run.cmake]
 #include <graze/number/floating.hpp>
 #include <graze/run/exact_mechanics.hpp>
 #include <graze/run/plain_mechanics.hpp>
@@ -22,8 +22,8 @@ struct fluid {
     graze::vec<3, double> period{};
 };
 
-// Balls of diameter 1 on a face-centred lattice of side^3 cells between six planes, or in a periodic cube, of which
-// they fill that part.
+// Balls of diameter 1 on a face-centred lattice of side^3 cells, between six planes or in a periodic cube. packing: the
+// part of the volume that they fill.
 fluid lattice(int side, double packing, bool periodic) {
     std::mt19937_64 random(1);
     fluid f;

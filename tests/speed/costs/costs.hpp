@@ -1,4 +1,4 @@
-// What graze costs beside what one would take instead: the pairs, and a unit a contestant that answers about them.
+// What graze costs beside its alternatives: the pairs, and a unit for each contestant that answers about them.
 #pragma once
 
 #include <graze/formula/encounter.hpp>
@@ -22,14 +22,14 @@ using walls = pairs_of<T, graze::wall<3, T>>;
 
 struct pairs {
     balls<> generic, meeting, grazing;
-    walls<> aimed; // each ball hits its wall
+    walls<> aimed; // every ball hits its wall
 };
 
-// Each answers about all pairs of its kind; those without an answer are empty. The numbers are a sum of the answers,
-// which keeps the compiler from leaving them out.
+// Each function answers about all pairs of its kind; it is empty if the contestant cannot answer. The numbers are sums
+// of the answers, so that the compiler cannot leave them out.
 struct contestant {
     std::function<double()> decide, decide_grazing, collide, collide_wall;
-    std::function<std::vector<graze::encounter>()> encounters; // of the grazing pairs
+    std::function<std::vector<graze::encounter>()> encounters; // for the grazing pairs
 };
 
 [[nodiscard]] contestant in_doubles(const pairs& all);
@@ -37,7 +37,7 @@ struct contestant {
 [[nodiscard]] contestant in_digits(const pairs& all);
 [[nodiscard]] contestant in_rationals(const pairs& all);
 
-// f of each pair, added up.
+// The sum of f over all pairs.
 template <class T, class S, class F>
 [[nodiscard]] double sum_of(const pairs_of<T, S>& p, F f) {
     double sum = 0;

@@ -1,4 +1,4 @@
-// The formulas in a number type, as they are.
+// The formulas in a number type, unchanged.
 #pragma once
 
 #include "../plain.hpp"
@@ -19,7 +19,7 @@ template <class T>
     return {as<T>(x.corner), {as<T>(x.edge[0]), as<T>(x.edge[1])}};
 }
 
-// Converted once, and shared by the questions.
+// The pairs, converted once and shared by all questions.
 template <class T, class S>
 [[nodiscard]] auto converted(const pairs_of<double, S>& p) {
     using shape = decltype(as<T>(p.b.front()));

@@ -1,4 +1,4 @@
-// graze-costs: nanoseconds a pair. Prints one line a figure: contestant, question, value.
+// graze-costs: nanoseconds for each pair. Prints a line for each figure: contestant, question, value.
 #include "costs.hpp"
 
 #include <families/families.hpp>
@@ -79,7 +79,7 @@ int main() {
         std::printf("%s wrong %.0f\n", name, 100.0 * static_cast<double>(wrong) / static_cast<double>(right.size()));
     }
     double sum = 0;
-    for (int round = 0; round < 20; ++round) { // in turns, so that a busy machine is so for all
+    for (int round = 0; round < 20; ++round) { // in turns, so that a busy machine affects all alike
         for (timed& t : asked) {
             const auto start = std::chrono::steady_clock::now();
             sum += t.ask();

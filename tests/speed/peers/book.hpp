@@ -1,4 +1,4 @@
-// The picture book: a page and pictures for each set of results, and a first page that leads to them.
+// The picture book: a page and pictures for each set of results, and a first page with links to them.
 #pragma once
 
 #include "fallback.hpp"
@@ -16,8 +16,8 @@ struct chapter {
     compare::results found;
 };
 
-// Writes folder/index.html, folder/NAME.html and folder/NAME-speed.svg and so on, and folder/fallback.svg. Makes the
-// folder. std::runtime_error that names what cannot be written or drawn.
+// Writes folder/index.html, folder/NAME.html, folder/NAME-speed.svg and so on, and folder/fallback.svg. Creates the
+// folder. Throws std::runtime_error, which names what cannot be written or drawn.
 void write_book(const std::string& folder, const std::vector<chapter>& chapters,
                 const std::vector<fallback_rate>& rates, const std::string& command);
 

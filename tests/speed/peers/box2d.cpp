@@ -13,7 +13,7 @@ namespace peers {
 
 namespace {
 
-// Lengths are multiplied by a power of two and rounded to float, in which Box2D computes.
+// Lengths are multiplied by a power of two and rounded to float, since Box2D computes in float.
 class box2d_contestant final : public contestant {
   public:
     box2d_contestant(const trial& t, double unit) {
@@ -58,7 +58,7 @@ class box2d_contestant final : public contestant {
         input.tMax = 1;
         b2TOIOutput output;
         b2TimeOfImpact(&output, &input);
-        if (output.state != b2TOIOutput::e_touching) { // as b2World reads it
+        if (output.state != b2TOIOutput::e_touching) { // b2World interprets it in the same way
             return std::nullopt;
         }
         return static_cast<double>(output.t) * m.horizon;

@@ -1,4 +1,4 @@
-// Balls that fly at a box whose sides are parallel to the axes, or in the plane at a segment, as doubles made of
+// Balls that fly at a box whose sides are parallel to the axes or, in the plane, at a segment, in doubles made from
 // integers: the same on every machine.
 #pragma once
 
@@ -8,10 +8,10 @@ namespace peers {
 
 enum class approach { generic, grazing, far, near_contact, parting };
 
-// All in units of 2^-50. A half side of 0 makes a segment of a box in the plane.
+// All in units of 2^-50. In the plane, a box with a half side of 0 is a segment.
 template <int N>
 struct ball_and_box {
-    families::integers<N> middle{}, half{}, from{}, velocity{}; // from: as seen from the middle
+    families::integers<N> middle{}, half{}, from{}, velocity{}; // from: relative to the middle
     std::int64_t radius = 0;
     int finer = 0; // the radius is in units of 2^-(50 + finer)
 };
@@ -22,7 +22,7 @@ using families::random;
 
 constexpr std::int64_t unit = std::int64_t{1} << 46;
 
-// A point above a side: within the others' extent, at `height` above it.
+// A point above a side at `height`, within the extent of the other sides.
 template <int N>
 constexpr void above_a_side(random& r, ball_and_box<N>& m, std::size_t side, std::int64_t height) {
     for (std::size_t i = 0; i < N; ++i) {
@@ -52,12 +52,12 @@ constexpr void past_an_edge(random& r, ball_and_box<N>& m, int k) {
     const std::size_t free = r.below(N);
     const std::size_t i = N == 2 ? 0 : (free + 1) % N, j = N == 2 ? 1 : (free + 2) % N;
     const std::size_t axis[2] = {i, j};
-    for (std::size_t a = 0; a < 2; ++a) { // the foot is turned into the quadrant in which the edge is
+    for (std::size_t a = 0; a < 2; ++a) { // turns the foot into the edge's quadrant
         const std::int64_t sign = p.foot[a] < 0 ? -1 : 1;
         m.from[axis[a]] = m.half[axis[a]] + sign * p.start[a];
         m.velocity[axis[a]] = sign * speed[a];
     }
-    if constexpr (N == 3) { // along the edge it may go as it likes, as long as it stays beside it
+    if constexpr (N == 3) { // along the edge any motion will do that stays beside it
         m.from[free] = r.in(-m.half[free] / 4, m.half[free] / 4);
         m.velocity[free] = r.signed_bits(40);
     }
@@ -67,7 +67,7 @@ constexpr void past_an_edge(random& r, ball_and_box<N>& m, int k) {
 
 } // namespace detail
 
-// k: of grazing, far and near_contact, as in the families of those names. flat: a segment.
+// k: for grazing, far and near_contact, as in the families of these names. flat: a segment.
 template <int N>
 [[nodiscard]] constexpr ball_and_box<N> draw_box(approach how, int k, bool flat, std::uint64_t seed,
                                                  std::uint64_t index) {
@@ -83,7 +83,7 @@ template <int N>
     m.radius = r.in(detail::unit, 8 * detail::unit);
     const std::size_t side = flat ? 1 : r.below(N);
     switch (how) {
-    case approach::generic: // from 2 to 4 boxes away towards a point in the box or beside it
+    case approach::generic: // from 2 to 4 boxes away, towards a point in the box or near it
         for (std::size_t i = 0; i < N; ++i) {
             const std::int64_t target = r.in(-m.half[i] * 3 / 2 - m.radius, m.half[i] * 3 / 2 + m.radius);
             m.from[i] = i == side ? r.in(32 * detail::unit, 64 * detail::unit) : r.signed_bits(51);
@@ -93,7 +93,7 @@ template <int N>
     case approach::grazing:
         detail::past_an_edge(r, m, k);
         break;
-    case approach::far: { // 32 velocities away; the box and the ball are about 2^-k of that
+    case approach::far: { // 32 velocities away; the box and the ball are about 2^-k of that distance
         for (std::size_t i = 0; i < N; ++i) {
             m.half[i] >>= k - 3;
             const std::int64_t target = r.in(-(m.half[i] * 3 / 2), m.half[i] * 3 / 2);

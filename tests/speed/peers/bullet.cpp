@@ -15,7 +15,7 @@ namespace peers {
 
 namespace {
 
-// Lengths are multiplied by a power of two before Bullet sees them.
+// Bullet gets lengths multiplied by a power of two.
 class bullet_contestant final : public contestant {
   public:
     bullet_contestant(const trial& t, double unit) {
@@ -35,13 +35,13 @@ class bullet_contestant final : public contestant {
             case thing::ball:
                 m.target = std::make_unique<btSphereShape>(q.other * unit);
                 break;
-            case thing::box: { // in the plane: thick enough that only its sides are met
+            case thing::box: { // in the plane: so thick that only its sides are met
                 const double thickness = q.half[2] == 0 ? 4 * q.radius : q.half[2];
                 m.target = std::make_unique<btBoxShape>(vector({q.half[0], q.half[1], thickness}, unit));
                 m.target->setMargin(0);
                 break;
             }
-            case thing::edge: { // as a capsule: half of the radius goes to it, without a rounding
+            case thing::edge: { // as a capsule, which gets half of the radius, exactly
                 radius /= 2;
                 const btVector3 half = vector(q.half, unit);
                 m.target = std::make_unique<btCapsuleShapeX>(radius, 2 * half.length());

@@ -8,7 +8,7 @@
 
 namespace peers {
 
-// Holds the questions of one trial in the form that it takes them in.
+// Holds the questions of one trial in the contestant's own form.
 class contestant {
   public:
     virtual ~contestant() = default;
@@ -17,22 +17,22 @@ class contestant {
 };
 
 struct entry {
-    std::string name;     // "FCL"; of the formulas the number type
-    std::string version;  // "FCL 0.7.0"; empty of graze and the formulas
-    std::string settings; // everything that was chosen
-    std::string promise;  // what its documentation says of the result
+    std::string name;     // "FCL"; for the formulas, the number type
+    std::string version;  // "FCL 0.7.0"; empty for graze and the formulas
+    std::string settings; // all settings that were chosen
+    std::string promise;  // what its documentation promises
     std::unique_ptr<contestant> (*prepare)(const trial&) = nullptr;
-    int digits = 53;       // of what it computes in
-    bool in_space = true;  // takes trials in space
-    bool boxes = true;     // and boxes and edges
-    std::string variant{}; // of the formulas; else empty
+    int digits = 53;       // of the numbers that it computes in
+    bool in_space = true;  // whether it takes trials in space
+    bool boxes = true;     // whether it takes boxes and edges
+    std::string variant{}; // of the formulas; otherwise empty
     std::string root{};    // the same
 };
 
 // graze first, then the formulas.
 [[nodiscard]] std::vector<entry> own_entries();
 
-// The libraries', where they are there.
+// The libraries' entries, if the build has them.
 [[nodiscard]] std::vector<entry> fcl_entries();
 [[nodiscard]] std::vector<entry> bullet_entries();
 [[nodiscard]] std::vector<entry> box2d_entries();

@@ -46,7 +46,7 @@ fallback_rate rate_of(const families::family& f, std::uint64_t seed, std::size_t
 
 constexpr std::array<const char*, 4> stage_names = {"filter", "refined", "double words", "integers"};
 
-// In percent; nothing of nothing.
+// In percent; all 0 if there are no counts.
 std::array<double, 4> shares_of(const stage_counts& counts) {
     const auto all = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
     std::array<double, 4> shares{};
@@ -123,7 +123,7 @@ std::string picture_of(const std::vector<fallback_rate>& rates) {
             from += shares[i];
         }
     };
-    for (std::size_t i = 0; i + 1 < rates.size(); i += 2) { // in the plane and in space
+    for (std::size_t i = 0; i + 1 < rates.size(); i += 2) { // one in the plane, one in space
         const auto y = static_cast<double>(i / 2);
         names.emplace_back(y + 0.5, rates[i].family);
         bar(sum_of(rates[i].decisions, rates[i + 1].decisions), y + 0.14, y + 0.5);

@@ -9,14 +9,14 @@
 
 namespace peers {
 
-// By graze::stage: how many pairs each settles.
+// How many pairs each stage settles; the index is graze::stage.
 using stage_counts = std::array<std::size_t, 4>;
 
 struct fallback_rate {
     std::string family;
     int dimension = 0;
-    stage_counts decisions{}; // of all pairs
-    stage_counts contacts{};  // of two balls that meet: the widest that the decision or any component needed
+    stage_counts decisions{}; // for all pairs
+    stage_counts contacts{};  // for two balls that meet: the widest stage that the decision or any component needed
 };
 
 [[nodiscard]] std::vector<fallback_rate> fallback_rates(std::uint64_t seed, std::size_t count);

@@ -13,7 +13,7 @@ namespace {
 
 using geometry = std::shared_ptr<fcl::CollisionGeometryd>;
 
-// The turn that takes the z axis to the direction of x, in the plane.
+// The rotation that turns the z axis into the direction of x, which is in the plane.
 fcl::Transform3d along(const question::vector& x) {
     fcl::Transform3d turn = fcl::Transform3d::Identity();
     turn.linear() =
@@ -36,11 +36,11 @@ class fcl_contestant final : public contestant {
             case thing::ball:
                 m.target = std::make_shared<fcl::Sphered>(q.other);
                 break;
-            case thing::box: // in the plane: thick enough that only its sides are met
+            case thing::box: // in the plane: so thick that only its sides are met
                 m.target = std::make_shared<fcl::Boxd>(2 * q.half[0], 2 * q.half[1],
                                                        q.half[2] == 0 ? 8 * q.radius : 2 * q.half[2]);
                 break;
-            case thing::edge: { // as a capsule: half of the radius goes to it, without a rounding
+            case thing::edge: { // as a capsule, which gets half of the radius, exactly
                 const fcl::Vector3d half(q.half[0], q.half[1], q.half[2]);
                 radius = q.radius / 2;
                 m.target = std::make_shared<fcl::Capsuled>(radius, 2 * half.norm());

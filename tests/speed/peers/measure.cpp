@@ -12,7 +12,7 @@ namespace peers {
 
 namespace {
 
-// Whether and when the ball first touches the thing: the first of its walls.
+// Whether and when the ball first touches the thing: at the first of its walls.
 template <int N>
 std::optional<oracle::surd> truth_of(const scene<N>& s) {
     if (s.walls.empty()) {
@@ -40,10 +40,10 @@ std::vector<std::optional<oracle::surd>> truths_of(const trial& t) {
     return truths;
 }
 
-// Errors of times, relative and in units of the last place.
+// The errors of times, relative and in units of the last place.
 class time_errors {
   public:
-    // The error in units of the last place, where there is one.
+    // Returns the error in units of the last place, if there is one.
     std::optional<double> add(const oracle::surd& truth, double given) {
         const bool rounded = oracle::is_rounded(truth, given);
         if (oracle::sign_of(truth) == 0) {
@@ -54,7 +54,7 @@ class time_errors {
                                   ? mpq_class(0)
                                   : mpq_class(abs(mpq_class(given) - exact));
         relative_.push_back(mpq_class(off / exact).get_d());
-        const compare::wide size = compare::wide_of(exact.get_d()); // rounded down: in the same binade
+        const compare::wide size = compare::wide_of(exact.get_d()); // rounded down, in the same binade
         return units_.add(compare::wide_of(relative_.back()) * size, size, rounded);
     }
     void finish(score& s, bool planar_balls) {
@@ -141,7 +141,7 @@ std::vector<std::optional<score>> measure(const trial& t, const std::vector<entr
         const contestant& c = *contestants.back();
         timed.push_back({[&c](std::size_t n) {
                              for (std::size_t i = 0; i < n; ++i) {
-                                 static_cast<void>(c.answer(i)); // virtual, of another file: not optimised away
+                                 static_cast<void>(c.answer(i)); // virtual, in another file: not optimised away
                              }
                          },
                          truths.size()});
@@ -152,7 +152,7 @@ std::vector<std::optional<score>> measure(const trial& t, const std::vector<entr
         for (auto& s : scores) {
             if (s) {
                 const compare::timing& taken = times[next++];
-                s->nanoseconds = taken.low; // what else the machine does makes repeats slower, never faster
+                s->nanoseconds = taken.low; // other work on the machine makes repeats slower, never faster
                 s->row.nanoseconds = taken.low;
                 s->row.nanoseconds_low = taken.low;
                 s->row.nanoseconds_high = taken.high;

@@ -1,4 +1,4 @@
-// graze, and the formulas in the number types of the machine.
+// graze, and the formulas in the machine's number types.
 #include "contestant.hpp"
 
 #include <graze/graze.hpp>
@@ -18,8 +18,8 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-// A ball and the slab of a wall of a box: what is as near as r to the wall's plane, which is across an axis. reached:
-// no later than the ball is there, and so no later than it touches the wall; the roundings are less than 2^-50 of
+// A ball and the slab around a box's wall: everything within r of the wall's plane, which is across an axis. reached: a
+// time not later than that at which the ball reaches the slab, and so touches the wall; roundings are below 2^-50 of
 // `height`.
 struct slab {
     double height, speed, reached;
@@ -32,12 +32,12 @@ struct slab {
     }
 };
 
-// When a ball first touches a box, 2N walls across the axes, two an axis.
+// When a ball first touches a box: 2N walls across the axes, two for each axis.
 //
-// Nothing of the box is met before the last of the slabs is reached. Of that one the wall on the ball's side is asked
-// first. If the centre is inside of the box by then along an axis, the walls across that axis are not touched first;
-// so a ball that comes down on a side takes one question. No wall is asked whose slab is reached after the best hit so
-// far, and no time rounded that is later than that.
+// Nothing of the box is met before the last of the slabs is reached. Of that slab's walls, the one on the ball's side
+// is asked first. If the centre is by then inside the box along some axis, the walls across that axis are not touched
+// first. So a ball that comes down on a side takes one question. No wall is asked whose slab is reached after the
+// earliest hit so far, and no later time is rounded.
 template <int N>
 class box_question {
   public:
@@ -92,7 +92,7 @@ class box_question {
         }
         const auto time = graze::time_of_impact(b_, walls_[wall]);
         if (time && time->enclosure().lower() <= first_) {
-            first_ = std::min(first_, static_cast<double>(*time)); // rounding keeps the order of times
+            first_ = std::min(first_, static_cast<double>(*time)); // rounding preserves the order of times
         }
     }
 
@@ -145,7 +145,7 @@ class formula_contestant final : public contestant {
     std::vector<graze::ball<N, T>> a_, b_;
 };
 
-// The same in double against walls.
+// The same in double for walls.
 template <graze::variant V, graze::root_form F, int N>
 class wall_contestant final : public contestant {
   public:
@@ -166,7 +166,7 @@ class wall_contestant final : public contestant {
     scenes<N> scenes_;
 };
 
-// The first and the last that a programmer would write.
+// The first and the last version that a programmer would write.
 template <class T, graze::variant V>
 inline constexpr bool takes_walls = std::is_same_v<T, double> &&
                                     (V == graze::variant::textbook || V == graze::variant::lagrange);

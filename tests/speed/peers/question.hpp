@@ -11,25 +11,25 @@
 
 namespace peers {
 
-// A box is a solid whose sides are parallel to the axes; an edge, a segment of the plane.
+// A box is a solid with sides parallel to the axes; an edge is a segment of the plane.
 enum class thing { ball, box, edge };
 
-// As graze takes it: a ball, and another one or the walls that bound the thing.
+// In graze's form: a ball, and another ball or the walls that bound the thing.
 template <int N>
 struct scene {
     graze::ball<N> a{}, b{};
-    std::vector<graze::wall<N>> walls; // none: b is met
+    std::vector<graze::wall<N>> walls; // if empty, the other thing is b
 };
 
-// As the libraries take it: the thing stands still in the origin, the ball moves relative to it. The coordinates are
+// In the libraries' form: the thing rests at the origin, and the ball moves relative to it. The coordinates are
 // differences, rounded once to doubles; in the plane the third is 0.
 struct question {
     using vector = std::array<double, 3>;
     thing what = thing::ball;
     vector from{}, velocity{};
-    double radius = 0; // of the ball that moves
+    double radius = 0; // of the moving ball
     double other = 0;  // of the other ball
-    vector half{};     // of a box: half its sides; of an edge: from its middle to its end
+    vector half{};     // for a box, half its sides; for an edge, the vector from its middle to its end
     double horizon = 1;
 };
 
@@ -44,7 +44,7 @@ struct trial {
     thing what = thing::ball;
     std::variant<scenes<2>, scenes<3>> exactly;
     std::vector<question> questions;
-    std::string hardness_name{}; // what the k of the questions means, and the k of each; empty where there is none
+    std::string hardness_name{}; // what the questions' k means, and each question's k; empty if there is none
     std::vector<int> hardness{};
 
     [[nodiscard]] bool in_space() const { return exactly.index() == 1; }

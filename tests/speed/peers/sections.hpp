@@ -1,4 +1,4 @@
-// The results by kind of pair and dimension: as tables and as results of a comparison.
+// The results by kind of pair and dimension: as tables, and as results of a comparison.
 #pragma once
 
 #include "measure.hpp"
@@ -7,7 +7,7 @@
 
 namespace peers {
 
-// Trials of one thing in one dimension, and scores by trial and entry.
+// The trials of one thing in one dimension, and the scores by trial and entry.
 struct section {
     std::string name;      // "balls against boxes, in space"
     std::string file_name; // "boxes-3d"
@@ -15,20 +15,20 @@ struct section {
     std::vector<std::vector<std::optional<score>>> scores;
 };
 
-// every: all of own_entries, not only graze and double's first and last variant. Names what the build lacks.
+// every: all of own_entries, not only graze and double's first and last variant. missing: what the build lacks.
 [[nodiscard]] std::vector<entry> all_entries(bool every, std::vector<std::string>& missing);
 
 [[nodiscard]] std::vector<section> measure_sections(const std::vector<entry>& entries, std::uint64_t seed,
                                                     std::size_t count, double timing);
 
-// Settings and promises of all, in Markdown.
+// The settings and promises of all entries, in Markdown.
 [[nodiscard]] std::string description_of(const std::vector<entry>& entries, const std::vector<std::string>& missing,
                                          std::size_t count, std::uint64_t seed);
 
-// One section's, in Markdown: a row an entry, a column a trial.
+// The table of one section, in Markdown: a row for each entry, a column for each trial.
 [[nodiscard]] std::string table_of(const section& s, const std::vector<entry>& entries);
 
-// As the report of graze-compare draws it.
+// The section in the form that graze-compare's report draws.
 [[nodiscard]] compare::results results_of(const section& s, const std::vector<entry>& entries,
                                           const std::string& command, std::uint64_t seed);
 

@@ -1,5 +1,5 @@
-// graze-stages FILE: which stage settles graze's answers on 4000 pairs of each family in the plane and in space: writes
-// the picture and prints the table.
+// graze-stages FILE: which stage settles graze's answers about 4000 pairs of each family, in the plane and in space.
+// Writes the picture to FILE and prints the table.
 #include "fallback.hpp"
 
 #include <report.hpp>

@@ -30,8 +30,8 @@ real_vector<N> minus(const real_vector<N>& x, const real_vector<N>& y) {
 
 double length(const question::vector& x) { return std::hypot(x[0], x[1], x[2]); }
 
-// When the ball has left the thing behind, whatever its way; a power of two, so that velocity times horizon is not
-// rounded.
+// Sets a time at which the ball has passed the thing, whatever its way: a power of two, so that velocity times horizon
+// is exact.
 void set_horizon(question& q) {
     const double way = length(q.from) + length(q.half) + q.radius + q.other;
     q.horizon = std::exp2(std::ceil(std::log2(way / length(q.velocity))));
@@ -48,7 +48,7 @@ question question_of(const scene<N>& s) {
     return q;
 }
 
-// The 2N walls of the box.
+// The 2N walls of a box.
 template <int N>
 scene<N> scene_of(const ball_and_box<N>& m) {
     scene<N> s;
@@ -74,7 +74,7 @@ scene<N> scene_of(const ball_and_box<N>& m) {
                     w.edge[e++][i] = side(i);
                 }
             }
-            const bool degenerate = side(across == 0 ? 1 : 0) == 0; // of a segment: the two walls without a length
+            const bool degenerate = side(across == 0 ? 1 : 0) == 0; // for a segment: the two walls without length
             if (!degenerate && (side(across) != 0 || sign == 1)) {
                 s.walls.push_back(w);
             }
@@ -118,7 +118,7 @@ bool is_asked(const scene<N>& s, bool parting) {
     return moves;
 }
 
-// Whether what is touched first is a side, and not an edge or a corner, of the box.
+// Whether a side of the box is touched first, and not an edge or a corner.
 template <int N>
 bool meets_a_side(const scene<N>& s) {
     std::optional<oracle::answer> first;
@@ -137,7 +137,7 @@ void add(trial& t, const scene<N>& s, const question& q) {
     t.questions.push_back(q);
 }
 
-// Two balls of a family of graze's, those of one hardness (-1: all).
+// Two balls of a family of graze's, of one hardness (-1: of all).
 template <int N>
 trial from_family(const char* name, const char* family_name, int hardness, std::uint64_t seed, std::size_t count,
                   const char* description) {

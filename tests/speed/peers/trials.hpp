@@ -1,4 +1,4 @@
-// The questions by family, the same in every run of a seed.
+// The questions by family, the same in every run with the same seed.
 #pragma once
 
 #include "question.hpp"
@@ -8,9 +8,8 @@
 
 namespace peers {
 
-// Each of `count` questions. Balls in space and in the plane, boxes in space and in the plane, edges in the plane.
-// Of the pairs that the families draw, those that overlap at the start, or are at relative rest, are left out, but for
-// those that part.
+// All trials, of `count` questions each: balls in space and in the plane, boxes in space and in the plane, edges in the
+// plane. Pairs that overlap at the start or are at relative rest are left out, except those that part.
 [[nodiscard]] std::vector<trial> all_trials(std::uint64_t seed, std::size_t count);
 
 // Balls in space that graze, are far apart or almost touch, from easy to hard.
