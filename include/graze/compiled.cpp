@@ -40,10 +40,10 @@ template float round_exactly<float>(const event<2, float>&, rounding);
 template float round_exactly<float>(const event<3, float>&, rounding);
 template double round_exactly<double>(const event<2, double>&, rounding);
 template double round_exactly<double>(const event<3, double>&, rounding);
-template std::optional<float> round_in_doubles<float>(const event<2, float>&, double, rounding) noexcept;
-template std::optional<float> round_in_doubles<float>(const event<3, float>&, double, rounding) noexcept;
-template std::optional<double> round_in_doubles<double>(const event<2, double>&, double, rounding) noexcept;
-template std::optional<double> round_in_doubles<double>(const event<3, double>&, double, rounding) noexcept;
+template certain_number<float> round_in_doubles<float>(const event<2, float>&, double, rounding) noexcept;
+template certain_number<float> round_in_doubles<float>(const event<3, float>&, double, rounding) noexcept;
+template certain_number<double> round_in_doubles<double>(const event<2, double>&, double, rounding) noexcept;
+template certain_number<double> round_in_doubles<double>(const event<3, double>&, double, rounding) noexcept;
 template flat_time flat_time_in_doubles(const event<2, float>&, double) noexcept;
 template flat_time flat_time_in_doubles(const event<3, float>&, double) noexcept;
 template flat_time flat_time_in_doubles(const event<2, double>&, double) noexcept;
@@ -100,6 +100,10 @@ template std::optional<impact_time<3, double>> time_of_impact_further(const ball
                                                                       stage&);
 template std::optional<impact_time<3, double>> time_of_impact_further(const flight<3, double>&,
                                                                       const flight<3, double>&, stage&);
+template float round_hard_time<float>(const event<2, float>&, double);
+template float round_hard_time<float>(const event<3, float>&, double);
+template double round_hard_time<double>(const event<2, double>&, double);
+template double round_hard_time<double>(const event<3, double>&, double);
 template float round_further<float>(const event<2, float>&, rounding);
 template float round_further<float>(const event<3, float>&, rounding);
 template double round_further<double>(const event<2, double>&, rounding);

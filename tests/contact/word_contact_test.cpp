@@ -166,6 +166,81 @@ TEST_CASE("bounds hold in double words") {
     }
 }
 
+// Steps from where balls from far away are closest, and from where balls that nearly touch start: what they decide is
+// right, and no time is further off than its bound.
+template <bool Fused, int N>
+void look_at_place(seen& s, const graze::ball<N>& a, const graze::ball<N>& b, bool far) {
+    const auto m = graze::detail::lane_motion_of(a, b);
+    const double length2 = graze::detail::squared_length(m);
+    const auto found = far ? graze::detail::approach_from_afar<Fused, N>(m, length2)
+                           : graze::detail::approach_from_near<Fused>(m, length2);
+    ++s.pairs;
+    if (found.what != graze::detail::undecided) {
+        const auto truth = oracle::meet(a, b);
+        ++s.decided;
+        s.wrong += found.what == static_cast<int>(truth.what) ? 0 : 1;
+        if (found.is_hit() && truth.time) {
+            ++s.meet;
+            s.wrong_bounds += holds(found.time(), 0, *truth.time) ? 0 : 1;
+            s.narrow += found.error < 0x1p-58 * found.t0 ? 1 : 0;
+            const auto kept = graze::time_of_impact(a, b)->enclosure();
+            s.wrong_bounds += holds({kept.near, 0, kept.error}, 0, *truth.time) ? 0 : 1;
+        }
+    }
+}
+template <int N>
+void look_at_places(seen& far, seen& near, families::random& r) {
+    const auto unit = [&] { return std::ldexp(static_cast<double>(r.in(-(1LL << 52), 1LL << 52)), -52); };
+    graze::ball<N> a{{}, {}, 0.6 + 0.5 * unit()}, b{{}, {}, 0.6 + 0.5 * unit()};
+    const double R = a.radius + b.radius;
+    double along[3] = {unit(), unit(), N == 3 ? unit() : 0}, across[3] = {unit(), unit(), N == 3 ? unit() : 0};
+    const auto cut_to_unit = [](double* x) {
+        const double size = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+        for (int i = 0; i < 3; ++i) {
+            x[i] /= size;
+        }
+    };
+    cut_to_unit(along);
+    const double shared = along[0] * across[0] + along[1] * across[1] + along[2] * across[2];
+    for (int i = 0; i < 3; ++i) {
+        across[i] -= shared * along[i];
+    }
+    cut_to_unit(across);
+    const double way = std::ldexp(1.5 + 0.5 * unit(), static_cast<int>(r.in(7, 56)));
+    const double beside = R * (r.one_in(3) ? 1 + std::ldexp(unit(), -static_cast<int>(r.in(0, 60))) : unit());
+    for (int i = 0; i < N; ++i) {
+        b.position[i] = r.one_in(2) ? 0.0 : unit();
+        b.velocity[i] = r.one_in(2) ? 0.0 : unit();
+        a.position[i] = b.position[i] + (across[i] * beside - along[i] * way);
+        a.velocity[i] = b.velocity[i] + along[i];
+    }
+    look_at_place<true>(far, a, b, true);
+    look_at_place<false>(far, a, b, true);
+    const double gap = std::ldexp(unit(), -static_cast<int>(r.in(26, 62)));
+    const double turn = 1.5 * unit();
+    for (int i = 0; i < N; ++i) {
+        a.position[i] = b.position[i] - R * (1 + gap) * (std::cos(turn) * along[i] + std::sin(turn) * across[i]);
+    }
+    look_at_place<true>(near, a, b, false);
+    look_at_place<false>(near, a, b, false);
+}
+TEST_CASE("bounds hold for balls from far away and for balls that nearly touch") {
+    families::random r(7, 1);
+    seen far, near;
+    for (int i = 0; i < 1500; ++i) {
+        look_at_places<2>(far, near, r);
+        look_at_places<3>(far, near, r);
+    }
+    for (const seen& s : {far, near}) {
+        CHECK(s.wrong == 0);
+        CHECK(s.wrong_bounds == 0);
+        CHECK(s.decided > s.pairs * 3 / 4);
+        CHECK(s.narrow > s.meet * 3 / 4);
+    }
+    MESSAGE(far.decided << " of " << far.pairs << ", " << far.narrow << " of " << far.meet << "; " << near.decided
+                        << " of " << near.pairs << ", " << near.narrow << " of " << near.meet);
+}
+
 // Balls that slide past each other, nearly touching: the terms of h cancel, and so do those of c.
 TEST_CASE("bounds hold where all coefficients cancel") {
     seen s;
@@ -252,11 +327,11 @@ TEST_CASE("the widest stage of a time and of a contact") {
     };
     const auto rest = at(0, 0, 0);
     expect(stage::filter, stage::filter, at(5, 0.3, -1), rest);
-    expect(stage::filter, stage::filter, at(5, 0.3, 1), rest);             // parting
-    expect(stage::refined, stage::double_word, at(0x1p40, 1.1, -1), rest); // far: L²V² is 2^80
-    expect(stage::refined, stage::double_word, at(0x1p40, 2.1, -1), rest);
-    expect(stage::refined, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1), rest);
-    expect(stage::refined, stage::double_word, at(0x1p20, 2 + 0x1p-20, -1), rest);
+    expect(stage::filter, stage::filter, at(5, 0.3, 1), rest);                 // parting
+    expect(stage::double_word, stage::double_word, at(0x1p40, 1.1, -1), rest); // far: L²V² is 2^80
+    expect(stage::double_word, stage::double_word, at(0x1p40, 2.1, -1), rest);
+    expect(stage::double_word, stage::double_word, at(0x1p20, 2 - 0x1p-20, -1), rest);
+    expect(stage::double_word, stage::double_word, at(0x1p20, 2 + 0x1p-20, -1), rest);
     expect(stage::double_word, stage::double_word, at(0x1p49, 2 - 0x1p-6, -1), rest); // beyond doubles
     expect(stage::double_word, stage::double_word, at(5.3, 2 - 0x1p-48, -1.1), rest); // D is 2^-49 of its terms
     expect(stage::filter, stage::filter, at(5, 0.3, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));

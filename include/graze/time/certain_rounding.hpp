@@ -6,7 +6,6 @@
 #include <graze/machine/error_free.hpp>
 #include <graze/machine/lanes.hpp>
 
-#include <optional>
 #include <type_traits>
 
 namespace graze::inline v0_1::detail {
@@ -60,13 +59,24 @@ template <class T>
            static_cast<unsigned>(agree<T>({x.lower[1], x.upper[1]})) << 1;
 }
 
-// A positive number rounded to nearest, downward or upward; empty where its bounds leave a doubt. For floats in
+// A rounded number, or none where a doubt is left. Compilers keep it in registers; a std::optional they send through
+// memory, and its parts are then waited for.
+template <class T>
+struct certain_number {
+    T value{};
+    bool is_certain = false;
+
+    [[nodiscard]] constexpr explicit operator bool() const noexcept { return is_certain; }
+    [[nodiscard]] constexpr T operator*() const noexcept { return value; }
+};
+
+// A positive number rounded to nearest, downward or upward; none where its bounds leave a doubt. For floats in
 // directed modes they always do.
 template <class T>
-[[nodiscard]] inline std::optional<T> certainly_rounded(const bounded<double>& x, rounding mode) noexcept {
+[[nodiscard]] inline certain_number<T> certainly_rounded(const bounded<double>& x, rounding mode) noexcept {
     if (mode == rounding::nearest) {
         const ends<double> interval = ends_of<T>(x);
-        return agree<T>(interval) ? std::optional<T>(static_cast<T>(interval.upper)) : std::nullopt;
+        return {static_cast<T>(interval.upper), agree<T>(interval)};
     }
     if constexpr (std::is_same_v<T, double>) {
         // The number is r + rest ± error, r the nearest double: on the side of r that the sign of rest tells.
@@ -74,11 +84,12 @@ template <class T>
         if (r > 0x1p-900 && absolute(rest) > x.error) {
             const std::uint64_t bits = bits_of(r);
             const bool above = rest > 0;
-            return mode == rounding::downward ? std::bit_cast<double>(above ? bits : bits - 1)
-                                              : std::bit_cast<double>(above ? bits + 1 : bits);
+            return {std::bit_cast<double>(mode == rounding::downward ? (above ? bits : bits - 1)
+                                                                     : (above ? bits + 1 : bits)),
+                    true};
         }
     }
-    return std::nullopt;
+    return {};
 }
 
 } // namespace graze::inline v0_1::detail

@@ -2,12 +2,11 @@
 // scaled first if need be, then in doubles by the sizes of terms, then in double words.
 #pragma once
 
+#include <graze/time/close_approach.hpp>
 #include <graze/time/enclosure.hpp>
 #include <graze/time/mover_approach.hpp>
 #include <graze/time/scaled_rounding.hpp>
 #include <graze/time/word_approach.hpp>
-
-#include <optional>
 
 namespace graze::inline v0_1::detail {
 
@@ -61,6 +60,26 @@ template <moving B>
             }
             return true;
         });
+}
+
+// For movers in range that come from far away, and for balls that nearly touch; others are left open.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline decided_approach approach_by_place(const B& a, const B& b) noexcept {
+    decided_approach r;
+    if constexpr (has_error_free_doubles) {
+        const auto started = start_filter(a, b);
+        if (is_distant(as_stored(state_of(a).radius) + as_stored(state_of(b).radius), started.length2)) {
+            r = with_fused_products(distant_movers<B>{&a, &b}, r);
+        } else if (std::fabs(started.q.c) < 0x1p-30 * started.length2) {
+            if constexpr (!is_flight<B>) {
+                r = with_fused_products(close_balls<dimension_of<B>>{&a, &b}, r);
+            }
+        }
+        if (!adds_to_nearest()) {
+            r.what = undecided;
+        }
+    }
+    return r;
 }
 
 // What the filter is certain of; for a hit also the time, by one step that `step_near` makes from a time. False if that
@@ -170,11 +189,11 @@ template <moving B>
     }
 }
 
-// That time rounded; empty where a doubt is left.
+// That time rounded; none where a doubt is left.
 template <class T>
-[[nodiscard]] inline std::optional<T> round_further_time(const further_time& t, rounding mode) noexcept {
+[[nodiscard]] inline certain_number<T> round_further_time(const further_time& t, rounding mode) noexcept {
     if (!t.good) {
-        return std::nullopt;
+        return {};
     }
     if (mode == rounding::nearest) {
         return rounded_quickly<T>(t.time, t.unit);

@@ -3,11 +3,11 @@
 
 #include <graze/exact/rounding.hpp>
 #include <graze/machine/fused.hpp>
+#include <graze/time/close_approach.hpp>
 #include <graze/time/flat_time.hpp>
 #include <graze/time/hit_time.hpp>
 #include <graze/time/mover_approach.hpp>
 
-#include <optional>
 #include <type_traits>
 
 namespace graze::inline v0_1::detail {
@@ -19,19 +19,42 @@ struct time_of_row {
     double time;
 
     using pair = two_balls<N>;
+    [[nodiscard, gnu::always_inline]] lane_motion motion() const noexcept {
+        return lane_motion_of<N>(row, row + N, row + pair::lengths, row + pair::lengths + N, row[2 * N],
+                                 row[2 * N + 1]);
+    }
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
-        const auto r = approach_near<Fused>(
-            lane_motion_of<N>(row, row + N, row + pair::lengths, row + pair::lengths + N, row[2 * N], row[2 * N + 1]),
-            time);
+        const auto r = approach_near<Fused>(motion(), time);
+        return {r.time(), r.good};
+    }
+};
+
+// The same where `time` may be far off: by where the balls are closest, or by where they start if their way is short.
+template <int N, class U>
+struct hard_time_of_row : time_of_row<N, U> {
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
+        const lane_motion m = this->motion();
+        const double length2 = squared_length(m);
+        const lanes squares = m.u01.value * m.u01.value + m.u_2.value * m.u_2.value;
+        if (is_distant(m.xR2.value[0], length2)) {
+            const decided_approach r = approach_from_afar<Fused, N>(m, length2);
+            return {r.time(), r.is_hit()};
+        }
+        if (is_close((squares[0] + squares[1]) * (this->time * this->time), length2)) {
+            const decided_approach r = approach_from_near<Fused>(m, length2);
+            return {r.time(), r.is_hit()};
+        }
+        const auto r = approach_near<Fused>(m, this->time, length2);
         return {r.time(), r.good};
     }
 };
 
 // The time of a hit on a plane or a wall that is near `time` from its start. Not inlined, so that the time of balls is.
 template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] std::optional<T> round_hit_in_doubles(const event<N, U>& e, double time,
-                                                                   rounding mode) noexcept {
+[[nodiscard, gnu::noinline]] certain_number<T> round_hit_in_doubles(const event<N, U>& e, double time,
+                                                                    rounding mode) noexcept {
     const auto start = static_cast<double>(e.start());
     const auto rounded = [&](const bounded<double>& x) {
         return certainly_rounded<T>(e.timed ? on_clock(start, x) : x, mode);
@@ -44,7 +67,7 @@ template <class T, int N, class U>
         }
     }
     const bounded<double> found = as_bounds(hit_time(e));
-    return absolute(found.high) > 0x1p-500 ? rounded(found) : std::nullopt;
+    return absolute(found.high) > 0x1p-500 ? rounded(found) : certain_number<T>{};
 }
 
 // Whether doubles are tried at all: the inputs are doubles or numbers that doubles hold exactly.
@@ -53,11 +76,11 @@ inline constexpr bool is_rounded_by_doubles = has_error_free_doubles && !std::is
 
 // time: near that of the event, which is not an overlap.
 template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] std::optional<T> round_in_doubles(const event<N, U>& e, double time,
-                                                               rounding mode) noexcept {
+[[nodiscard, gnu::noinline]] certain_number<T> round_in_doubles(const event<N, U>& e, double time,
+                                                                rounding mode) noexcept {
     if constexpr (is_rounded_by_doubles<U>) {
         if (!rounds_to_nearest()) {
-            return std::nullopt;
+            return {};
         }
         if (e.kind != event_kind::balls) {
             return round_hit_in_doubles<T>(e, e.timed ? time - static_cast<double>(e.start()) : time, mode);
@@ -68,7 +91,7 @@ template <class T, int N, class U>
             }
         }
     }
-    return std::nullopt;
+    return {};
 }
 
 } // namespace graze::inline v0_1::detail

@@ -132,14 +132,14 @@ template <class T, int N, class U>
 // - R²: less than 2^-700, while the error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result that
 // these bounds leave in no doubt is no subnormal double; a subnormal float is compared with zero, and is in doubt where
 // it is read as zero. An input that is a subnormal float, up to 2^-126, must not be read as zero.
-template <class T, int N, class U>
+template <class T, int N, class U, class Step = time_of_row<N, U>>
 struct nearest_time {
     const event<N, U>* e;
     double time;
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] T operator()(std::bool_constant<Fused> fused) const {
-        const auto found = time_of_row<N, U>{e->row.data(), time}(fused);
+        const auto found = Step{e->row.data(), time}(fused);
         const ends<double> interval = ends_of<T>(found.time);
         const bool to_nearest = std::is_same_v<U, float> ? rounds_to_nearest() : adds_to_nearest();
         if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
@@ -148,6 +148,12 @@ struct nearest_time {
         return round_further<T>(*e, rounding::nearest);
     }
 };
+
+// The same where `time` may be far off.
+template <class T, int N, class U>
+[[nodiscard, gnu::noinline]] T round_hard_time(const event<N, U>& e, double time) {
+    return with_best_products(nearest_time<T, N, U, hard_time_of_row<N, U>>{&e, time});
+}
 
 // The same for a double.
 template <class T>
@@ -186,6 +192,9 @@ template <class T, int N, class U>
     if (!std::is_constant_evaluated()) {
         if constexpr (is_rounded_by_doubles<U>) { // enough for nearly every time
             if (mode == rounding::nearest && e.kind == event_kind::balls && !e.timed) [[likely]] {
+                if (bounds.error > 0x1p-36 * bounds.near) [[unlikely]] {
+                    return round_hard_time<T>(e, bounds.near);
+                }
                 return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
             }
         }

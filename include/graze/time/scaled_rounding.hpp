@@ -9,7 +9,6 @@
 #include <graze/time/certain_rounding.hpp>
 
 #include <cmath>
-#include <optional>
 
 namespace graze::inline v0_1::detail {
 
@@ -30,14 +29,14 @@ namespace graze::inline v0_1::detail {
     return {sum, off, exponent, negative};
 }
 
-// x 2^scale rounded; empty where its bounds leave a doubt.
+// x 2^scale rounded; none where its bounds leave a doubt.
 template <class T>
-[[nodiscard, gnu::noinline]] std::optional<T> rounded_scaled(const bounded<double>& x, int scale,
-                                                             rounding mode) noexcept {
+[[nodiscard, gnu::noinline]] certain_number<T> rounded_scaled(const bounded<double>& x, int scale,
+                                                              rounding mode) noexcept {
     const auto sum = two_sum(x.high, x.low);
     const double size = absolute(sum.value);
     if (!(within_powers<-900, 900>(size) && x.error < 0x1p-60 * size)) {
-        return std::nullopt;
+        return {};
     }
     leading value = leading_of(sum, x.error);
     value.exponent += scale;
@@ -49,24 +48,24 @@ template <class T>
         doubtful = true;
         return 0;
     });
-    return doubtful ? std::nullopt : std::optional<T>(nearest);
+    return {nearest, !doubtful};
 }
 
 // x 2^scale rounded to nearest, by one comparison of its ends where both x and the result are normal numbers of T; for
 // floats only if nothing is scaled.
 template <class T>
-[[nodiscard]] inline std::optional<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {
+[[nodiscard]] inline certain_number<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {
     if (scale == 0 || std::is_same_v<T, double>) {
         const ends<double> interval = ends_of<T>(x);
         if (agree<T>(interval)) {
             if (scale == 0) {
-                return static_cast<T>(interval.upper);
+                return {static_cast<T>(interval.upper), true};
             }
             const std::uint64_t bits = bits_of(interval.upper);
             const int exponent = static_cast<int>(bits >> 52 & 0x7ff) + scale;
             if (0 < exponent && exponent < 0x7ff) {
                 const auto shift = static_cast<std::uint64_t>(static_cast<std::int64_t>(scale)) << 52;
-                return static_cast<T>(std::bit_cast<double>(bits + shift));
+                return {static_cast<T>(std::bit_cast<double>(bits + shift)), true};
             }
         }
     }

@@ -71,6 +71,19 @@ template <moving B>
     return {nearest, 0x1p-49 * near + (t.unit == 0 ? t.time.error : 0)};
 }
 
+// The time of two movers of which this is known, with the number that it is rounded to where that is certain.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline std::optional<time_of_movers<B>> time_by_place(const decided_approach& found,
+                                                                                        const B& a, const B& b) {
+    if (found.is_hit()) {
+        const bounded<double> time = on_clock_of(a, b, found.time());
+        const double near = time.high + time.low;
+        const enclosure bounds{near, 0x1p-49 * absolute(near) + time.error};
+        return time_within(bounds, a, b, false, agree<double>(ends_of<double>(time)));
+    }
+    return found.what == static_cast<int>(encounter::overlap) ? time_of_overlap(a, b) : std::nullopt;
+}
+
 // The time of two movers that the filter leaves open, or that it knows to hit but not closely enough when: by all
 // further stages. `by` becomes the one that was needed.
 template <moving B>
@@ -79,6 +92,14 @@ template <moving B>
     using T = number_in<B>;
     if constexpr (std::is_floating_point_v<T>) {
         if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
+            if constexpr (std::is_same_v<T, double>) {
+                if (has_usual_size(a, b)) {
+                    if (const auto found = approach_by_place(a, b); found.what != undecided) {
+                        by = stage::double_word;
+                        return time_by_place(found, a, b);
+                    }
+                }
+            }
             const further_time t = find_further_time(a, b, tried::filter);
             by = t.decided_by;
             if (t.what == static_cast<int>(encounter::recede) || t.what == static_cast<int>(encounter::miss)) {
@@ -107,6 +128,16 @@ template <moving B>
     return time_of_impact_exactly(a, b);
 }
 
+// The same, and tells the observer; the time is made where it is returned.
+template <moving B, class Observer>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>> tell_further(const B& a, const B& b,
+                                                                                                 Observer&& observer) {
+    stage by{};
+    auto further = time_of_impact_further(a, b, by);
+    observer(by);
+    return further;
+}
+
 // From their start on, for two movers that hit clearly. error_root/a is at most (K_D + 3/2 K_h) length²: √D <= |h| <=
 // √2 length·velocity, for balls without the √2.
 template <moving B, class Started>
@@ -124,10 +155,7 @@ template <moving B, class Observer>
     using T = number_in<B>;
     if (!std::is_constant_evaluated()) {
         if (!has_usual_size(a, b)) [[unlikely]] {
-            stage by{};
-            auto further = time_of_impact_further(a, b, by);
-            observer(by);
-            return further;
+            return tell_further(a, b, observer);
         }
         // Half of all pairs part; of the others a hit takes one branch, since the other conditions never differ.
         const auto started = start_filter(a, b);
@@ -162,10 +190,7 @@ template <moving B, class Observer>
             return time_of_impact_further(a, b, unused); // nearly a graze
         }
     }
-    stage by{};
-    auto further = time_of_impact_further(a, b, by);
-    observer(by);
-    return further;
+    return tell_further(a, b, observer);
 }
 
 } // namespace detail
