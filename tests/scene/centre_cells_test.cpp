@@ -31,7 +31,7 @@ drawn_points draw(std::size_t count, const point& period, double usual) {
     for (std::size_t i = 0; i < count; ++i) {
         const double x = i % 17 == 0 ? 0.5 : i % 19 == 0 ? -0.5 : any();
         all.at.push_back({x, any()});
-        all.reach.push_back(usual * (i % 50 == 0 ? 3.5 : 1 + any()));
+        all.reach.push_back(usual * (i % 50 == 0 ? 3.5 : i % 3 == 0 ? 0.1 : 1 + any()));
     }
     return all;
 }
@@ -58,8 +58,20 @@ void compare(std::size_t count, const point& period, double usual, double own) {
     const drawn_points all = draw(count, period, usual);
     graze::detail::centre_cells<2> cells(count, usual, period);
     for (body b = 0; b < count; ++b) {
+        if (b == count / 2) {
+            cells.make_level(own); // has the points of finer levels as well, those before and those to come
+        }
         cells.make_level(all.reach[b]);
         cells.enter(b, all.at[b], all.reach[b]);
+        if (b % 7 == 0) {
+            const double other = all.reach[b / 2];
+            cells.make_level(other);
+            cells.leave(b);
+            cells.enter(b, all.at[b], other);
+            cells.leave(b);
+            cells.make_level(all.reach[b]);
+            cells.enter(b, all.at[b], all.reach[b]);
+        }
     }
     int wrong = 0;
     std::size_t images = 0;

@@ -1,6 +1,7 @@
 // graze-run-speed: what an event of a run costs, in graze's doubles beside plain ones, and from a hundred balls to a
 // hundred thousand. Processor time, of a fluid of the same density everywhere that has melted: each ball has collided
-// twenty times before the clock starts. Predicting all pairs at the start is not counted.
+// twenty times before the clock starts. Predicting all pairs at the start is not counted. And what it costs until balls
+// without planes have flown apart, so that nothing more will ever happen.
 #include "runs/fluid_scene.hpp"
 
 #include <graze/number/floating.hpp>
@@ -16,6 +17,7 @@
 #include <iomanip>
 #include <iostream>
 #include <numbers>
+#include <string_view>
 
 namespace {
 
@@ -67,10 +69,25 @@ struct size_of_fluid {
     std::vector<double> growth_plain, growth_exact; // beside the cost at a thousand in the same round
 };
 
+void measure_flying_apart() {
+    std::cout << std::fixed << std::setprecision(2);
+    for (const int balls : {500, 1000, 2000, 4000, 8000}) {
+        const std::clock_t start = std::clock();
+        graze::run<graze::exact_mechanics<3>> run(graze::scene<3>{.balls = make_fluid<3>(balls, 1).balls});
+        const auto done = run.advance({});
+        std::cout << std::setw(6) << balls << " balls: " << done.events << " events, then " << to_string(done.why)
+                  << ", in " << static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC << " s\n";
+    }
+}
+
 } // namespace
 
-// graze-run-speed [rounds]
+// graze-run-speed [rounds | apart]
 int main(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "apart") {
+        measure_flying_apart();
+        return 0;
+    }
     const int rounds = argc > 1 ? std::atoi(argv[1]) : 7;
     std::deque<size_of_fluid> sizes;
     for (const int balls : {100, 500, 1000, 10000, 100000}) {

@@ -53,9 +53,9 @@ class forecast : public lookout<M> {
     }
     void forget() noexcept { pending_.clear(); }
     void accept() noexcept {
-        surroundings_.note_event();
+        surroundings_.idle().note_event();
         for (const auto& [a, p] : pending_) {
-            this->note_change(a);
+            this->note_flight(a);
             set(a, p);
         }
     }
@@ -72,11 +72,11 @@ class forecast : public lookout<M> {
                 const plan& p = plans_[a];
                 if (p.is_to_leave()) {
                     if (scene_.is_periodic() && taken_.empty()) {
-                        if (surroundings_.has_idled() && moves_as_one()) {
+                        if (surroundings_.idle().has_idled() && moves_as_one()) {
                             return ending::exhausted;
                         }
-                        if (surroundings_.is_idle()) {
-                            surroundings_.note_event();
+                        if (surroundings_.idle().is_idle()) {
+                            surroundings_.idle().note_event();
                             return ending::idle;
                         }
                     }
@@ -139,8 +139,10 @@ class forecast : public lookout<M> {
     void renew(body a) {
         const double now = plans_[a].lower;
         const auto f = about(a);
+        const bool settled = this->is_settled(taken_.empty() ? now : plans_[taken_.front()].lower);
         double more = 0;
-        for (int tries = 0; tries < 4 && surroundings_.look_around(a, f, now, scene_.gone(a), more); ++tries) {
+        for (int tries = 0; tries < 4 && !settled && surroundings_.look_around(a, f, now, scene_.gone(a), more);
+             ++tries) {
             const double end = surroundings_.fresh_end(f, now);
             const auto image_of = [&](std::size_t i, body b) { return surroundings_.fresh_image(i, b); };
             const plan p = earliest_of(
@@ -161,7 +163,9 @@ class forecast : public lookout<M> {
         if (scene_.is_periodic()) {
             throw std::range_error(to_string(scene_.part(a)) + ": doubles cannot tell in which period it is");
         }
-        const plan p = earliest_of(a, never, [&](auto meet) { this->for_each_other(a, true, meet); });
+        const plan p = earliest_of(a, never, [&](auto meet) {
+            settled ? this->for_each_remaining(a, meet) : this->for_each_other(a, true, meet);
+        });
         surroundings_.spread(a);
         this->note_change(a);
         set(a, p);

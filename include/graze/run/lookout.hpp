@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/run/moving_scene.hpp>
+#include <graze/scene/remaining_pairs.hpp>
 #include <graze/scene/surroundings.hpp>
 
 #include <limits>
@@ -35,17 +36,14 @@ class lookout {
 
     [[nodiscard]] moving_scene<M>& scene() noexcept { return scene_; }
     [[nodiscard]] const moving_scene<M>& scene() const noexcept { return scene_; }
+    // Whether balls that had long been alone meet again, so that shells are worth their cost.
+    [[nodiscard]] bool is_outdated() const noexcept { return remaining_.is_outdated(); }
 
   protected:
     static constexpr double never = std::numeric_limits<double>::max();
 
     // Lays out the surroundings anew; nothing will happen before `now`.
     void look_out(double now) {
-        std::vector<flight<dimension, double>> flights;
-        flights.reserve(scene_.balls());
-        for (body a = 0; a < scene_.balls(); ++a) {
-            flights.push_back(about(a));
-        }
         auto extents = scene_.extents();
         for (body b = scene_.balls(); b < scene_.bodies(); ++b) {
             if (scene_.is_periodic() && scene_.has_images(b) && !extents[b - scene_.balls()].is_bounded()) {
@@ -53,7 +51,8 @@ class lookout {
             }
         }
         surroundings_ =
-            surroundings<dimension>(flights, now, {std::move(extents), scene_.balls()}, with_cells_, scene_.period());
+            surroundings<dimension>(flights(), now, {std::move(extents), scene_.balls()}, with_cells_, scene_.period());
+        remaining_ = {};
         changed_.resize(scene_.balls());
         start_ = now;
         for (clock_ = 0; clock_ < scene_.balls(); ++clock_) {
@@ -61,6 +60,19 @@ class lookout {
         }
     }
     void note_change(body a) noexcept { changed_[a] = ++clock_; }
+    void note_flight(body a) noexcept {
+        note_change(a);
+        remaining_.note_change(a);
+    }
+    // Whether nothing has happened for so long that it is known who may meet at all. Nothing will happen before `now`.
+    [[nodiscard]] bool is_settled(double now) {
+        if (!remaining_.is_known() && !scene_.is_periodic() && surroundings_.idle().has_waited()) {
+            if (!remaining_.find(flights(), now, surroundings_.idle().affordable_pairs(), alike())) {
+                surroundings_.idle().wait_longer();
+            }
+        }
+        return remaining_.is_known();
+    }
 
     [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
     [[nodiscard]] std::uint32_t count(body b) const noexcept { return b < scene_.balls() ? scene_.count(b) : 0; }
@@ -106,6 +118,18 @@ class lookout {
             if (b != a && (has_changed || b >= scene_.balls() || changed_[b] < changed_[a])) {
                 f(b, image_index{});
             }
+        }
+    }
+    // Those that a may still meet.
+    template <class F>
+    void for_each_remaining(body a, F f) const {
+        if (!remaining_.knows(a)) {
+            for_each_other(a, true, f);
+            return;
+        }
+        remaining_.for_each(a, alike(), [&](body b) { f(b, image_index{}); });
+        for (body b = scene_.balls(); b < scene_.bodies(); ++b) {
+            f(b, image_index{});
         }
     }
     template <class F>
@@ -155,6 +179,22 @@ class lookout {
     surroundings<dimension> surroundings_;
 
   private:
+    // Whether two balls have exactly the same velocity.
+    [[nodiscard]] auto alike() const noexcept {
+        return [this](body a, body b) {
+            return order_of(scene_[a].state.state.velocity, scene_[b].state.state.velocity) == 0;
+        };
+    }
+    [[nodiscard]] std::vector<flight<dimension, double>> flights() const {
+        std::vector<flight<dimension, double>> all;
+        all.reserve(scene_.balls());
+        for (body a = 0; a < scene_.balls(); ++a) {
+            all.push_back(about(a));
+        }
+        return all;
+    }
+
+    remaining_pairs<dimension> remaining_;
     std::vector<std::uint64_t> changed_; // when a ball's flight or list has changed, counted by clock_
     std::uint64_t clock_ = 0;
     bool with_cells_;

@@ -181,7 +181,7 @@ class run {
     ending take_earliest(double until) {
         next_ = 0;
         grazed_.clear();
-        return forecast_.take_earliest(simultaneous_, until);
+        return detail::kept_up_to_date(forecast_, now_).take_earliest(simultaneous_, until);
     }
     // Does the event simultaneous_[next_].
     template <class Observer>

@@ -3,6 +3,7 @@
 
 #include <graze/linear/vec.hpp>
 #include <graze/scene/body.hpp>
+#include <graze/scene/cell_lists.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,8 @@ namespace graze::inline v0_1::detail {
 }
 
 // power: the number of the level. around: how many cells make a period; without one, more than there can be. start:
-// where the first cell of a period begins. reach: the largest so far of its points. count: the number of points.
+// where the first cell of a period begins. reach: the largest so far of its points. count: the number of points. finer:
+// those of levels far below this one, in its cells.
 template <int N>
 struct cell_level {
     using cell = std::array<std::int64_t, N>;
@@ -28,6 +30,7 @@ struct cell_level {
     cell around{};
     double reach = 0;
     std::size_t count = 0;
+    cell_lists finer;
 
     // Cells of that width, or as much wider as it takes to have a whole number of them in a period.
     cell_level(int of, double width, const vec<N, double>& period) noexcept : power(of) {
@@ -48,6 +51,14 @@ struct cell_level {
     [[nodiscard]] std::int64_t along_inside(double x, int axis) const noexcept {
         const std::int64_t n = around[static_cast<std::size_t>(axis)];
         return n == endless ? along(x, axis) : std::clamp<std::int64_t>(along(x, axis), 0, n - 1);
+    }
+    // Of the cell in which a point is.
+    [[nodiscard]] std::uint64_t key_at(const vec<N, double>& x) const noexcept {
+        cell c;
+        for (int i = 0; i < N; ++i) {
+            c[static_cast<std::size_t>(i)] = along_inside(x[i], i);
+        }
+        return key_of(c);
     }
     // Cells side by side along the first axis have their lists side by side.
     [[nodiscard]] std::uint64_t key_of(const cell& c) const noexcept {

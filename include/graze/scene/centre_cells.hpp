@@ -1,103 +1,51 @@
 // The points near another one, by cells of many sizes.
 #pragma once
 
-#include <graze/linear/vec.hpp>
-#include <graze/scene/body.hpp>
 #include <graze/scene/box_walk.hpp>
-#include <graze/scene/cell_level.hpp>
+#include <graze/scene/levelled_points.hpp>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
-// Points, each with a reach. Those whose reaches differ by less than a factor of 2 are on one level, in cells twice as
-// wide as the largest of these. Space has no end, and an empty cell takes no memory: a hash of a cell's coordinates
-// finds its points. Along an axis with period[i] > 0 space is a circle of that length, and points are within half of it
-// around 0. There, cells are wider by as much as it takes to have a whole number of them.
 template <int N>
-class centre_cells {
+class centre_cells : public levelled_points<N> {
   public:
-    using point = vec<N, double>;
-
-    centre_cells() = default;
-    // For so many points; cells are cut so that usual_reach is the largest on its level.
-    centre_cells(std::size_t points, double usual_reach, const point& period)
-        : entries_(points), heads_(std::bit_ceil(2 * points + 16), no_body), base_(usual_reach), period_(period) {
-        for (int i = 0; i < N; ++i) {
-            slack_ = std::max(slack_, 0x1p-40 * period[i]);
-        }
-    }
-
-    // To be called before `enter` with this reach.
-    void make_level(double reach) {
-        const int power = power_of(reach);
-        if (find(power) == levels_.size()) {
-            std::erase_if(levels_, [](const level& l) { return l.count == 0; });
-            levels_.emplace_back(power, 2 * std::ldexp(base_, power), period_);
-        }
-    }
-    void enter(body a, const point& x, double reach) noexcept {
-        entry& e = entries_[a];
-        e.at = x;
-        e.reach = reach;
-        e.power = power_of(reach);
-        level& l = levels_[find(e.power)];
-        l.reach = std::max(l.reach, reach);
-        ++l.count;
-        cell c;
-        for (int i = 0; i < N; ++i) {
-            c[static_cast<std::size_t>(i)] = l.along_inside(x[i], i);
-        }
-        e.key = l.key_of(c);
-        body& head = heads_[e.key & (heads_.size() - 1)];
-        e.previous = no_body;
-        e.next = head;
-        if (head != no_body) {
-            entries_[head].previous = a;
-        }
-        head = a;
-    }
-    void leave(body a) noexcept {
-        entry& e = entries_[a];
-        (e.previous == no_body ? heads_[e.key & (heads_.size() - 1)] : entries_[e.previous].next) = e.next;
-        if (e.next != no_body) {
-            entries_[e.next].previous = e.previous;
-        }
-        --levels_[find(e.power)].count;
-        e.power = out;
-    }
-    [[nodiscard]] const point& operator[](body a) const noexcept { return entries_[a].at; }
+    using typename levelled_points<N>::point;
+    using levelled_points<N>::levelled_points;
 
     // f(b, image) for all points' images that may be within `reach` plus their own reach of x; seldom more than once.
     // everyone: without cells.
     template <class F>
     void around(const point& x, double reach, bool everyone, F f) const {
+        const int power = power_of(reach);
+        const bool every_level = everyone || find(power) == levels_.size();
         for (const level& l : levels_) {
-            if (l.count > 0) {
+            if (l.count > 0 && (every_level || l.power >= power - 1)) {
                 look(l, x, reach, everyone, f);
+            }
+            if (l.power == power && !every_level && !l.finer.empty()) {
+                look_at_finer(l, x, reach, f);
             }
         }
     }
 
   private:
-    static constexpr int out = 1 << 20;
-    using level = cell_level<N>;
-    using cell = typename level::cell;
-
-    struct entry {
-        point at{};
-        double reach = 0;
-        std::uint64_t key = 0;
-        body next = no_body, previous = no_body;
-        int power = out;
-    };
+    using typename levelled_points<N>::level;
+    using typename levelled_points<N>::cell;
+    using typename levelled_points<N>::entry;
+    using levelled_points<N>::entries_;
+    using levelled_points<N>::heads_;
+    using levelled_points<N>::levels_;
+    using levelled_points<N>::base_;
+    using levelled_points<N>::period_;
+    using levelled_points<N>::slack_;
+    using levelled_points<N>::power_of;
+    using levelled_points<N>::find;
 
     // A place in a cell's list: x as seen from there is at `from`.
     struct cursor {
@@ -107,22 +55,6 @@ class centre_cells {
         body next;
     };
 
-    // The smallest with reach <= base 2^power.
-    [[nodiscard]] int power_of(double reach) const noexcept {
-        int power = 0;
-        double top = base_;
-        for (; reach > top; top *= 2) {
-            ++power;
-        }
-        for (; reach <= top / 2; top /= 2) {
-            --power;
-        }
-        return power;
-    }
-    [[nodiscard]] std::size_t find(int power) const noexcept {
-        const auto is_it = [power](const level& l) { return l.power == power; };
-        return static_cast<std::size_t>(std::find_if(levels_.begin(), levels_.end(), is_it) - levels_.begin());
-    }
     // f(b, image) for those of its images that may be near.
     template <class F>
     void offer_all(body b, const point& x, double far, F& f) const {
@@ -186,6 +118,19 @@ class centre_cells {
         });
         go_along(lists, count, own, f);
     }
+    template <class F>
+    void look_at_finer(const level& l, const point& x, double own, F& f) const {
+        const double reach = 1.001 * (own + std::ldexp(base_, l.power - 2)) + slack_;
+        cell low, high;
+        for (int i = 0; i < N; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            low[k] = l.along(x[i] - reach, i);
+            high[k] = l.along(x[i] + reach, i);
+        }
+        l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
+            l.finer.for_each(key, [&](body b) { offer({from, image, entries_[b].key, b}, own, f); });
+        });
+    }
     // f(b, image) if b is in that cell and near.
     template <class F>
     [[gnu::always_inline]] void offer(const cursor& c, double own, F& f) const {
@@ -214,12 +159,6 @@ class centre_cells {
             }
         }
     }
-    std::vector<entry> entries_;
-    std::vector<body> heads_; // of the cells' lists, some of which are of several cells; a power of two
-    std::vector<level> levels_;
-    double base_ = 1;
-    point period_{};
-    double slack_ = 0; // more than the rounding of whole periods and of places within them
 };
 
 } // namespace graze::inline v0_1::detail

@@ -47,8 +47,8 @@ void for_each_close_pair(const std::vector<flight<N, double>>& balls, F f) {
             continue;
         }
         const double reach = std::max(reach_of(balls[a].state), spacing / 64);
-        cells.around(balls[a].state.position, reach, false, [&](body b, image_index) { f(b, a); });
         cells.make_level(reach);
+        cells.around(balls[a].state.position, reach, false, [&](body b, image_index) { f(b, a); });
         cells.enter(a, balls[a].state.position, reach);
     }
 }

@@ -1,6 +1,7 @@
 // The earliest event of all balls, found among neighbours.
 #pragma once
 
+#include <graze/scene/remaining_pairs.hpp>
 #include <graze/scene/surroundings.hpp>
 #include <graze/time/enclosure.hpp>
 
@@ -63,11 +64,30 @@ template <int N, class F>
         }
         note_end(a, 0);
     }
+    remaining_pairs<N> remaining;
+    const auto is_alike = [](body, body) { return true; }; // the doubles are exact
+    const auto offer_remaining = [&](body a) {
+        if (!remaining.knows(a)) {
+            offer_all(a);
+            return;
+        }
+        remaining.for_each(a, is_alike, [&](body b) { offer(a, b); });
+        for (body b = count; b < bodies; ++b) {
+            offer(a, b);
+        }
+    };
     while (!ends.empty() && ends.front().first <= latest && ends.front().first < never) {
         const auto [now, a] = ends.front();
         std::pop_heap(ends.begin(), ends.end(), is_later);
         ends.pop_back();
-        if (around.look_around(a, balls[a], now)) {
+        if (!remaining.is_known() && around.idle().has_waited() &&
+            !remaining.find(balls, now, around.idle().affordable_pairs(), is_alike)) {
+            around.idle().wait_longer();
+        }
+        if (remaining.is_known()) {
+            around.spread(a);
+            offer_remaining(a);
+        } else if (around.look_around(a, balls[a], now)) {
             around.make_room(a);
             around.settle(a);
             for (const body b : around.of(a)) {

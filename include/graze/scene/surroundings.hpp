@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/scene/centre_cells.hpp>
+#include <graze/scene/idle_count.hpp>
 #include <graze/scene/neighbour_lists.hpp>
 #include <graze/scene/shell.hpp>
 #include <graze/scene/standing_cells.hpp>
@@ -25,7 +26,7 @@ class surroundings {
                  const vec<N, double>& period = {})
         : standing_(std::move(standing)), period_(period), shortest_(shortest(period)),
           lists_(static_cast<body>(balls.size()), is_periodic()), shells_(balls.size()),
-          balls_(static_cast<body>(balls.size())), with_cells_(with_cells) {
+          balls_(static_cast<body>(balls.size())), idle_(balls.size()), with_cells_(with_cells) {
         everywhere_.reserve(balls.size());
         double largest = 0;
         for (const auto& b : balls) {
@@ -71,8 +72,7 @@ class surroundings {
     }
 
     // Writes the neighbours of a, if its shell is where it flies at `now`, to fresh(). False if it can have no shell.
-    // more: how much farther the shell has to reach than usual. If each ball has left dozens of shells without an
-    // event, none may follow.
+    // more: how much farther the shell has to reach than usual.
     [[nodiscard]] bool look_around(body a, const flight<N, double>& f, double now, image_index gone = {},
                                    double more = 0) {
         next_ = {f.state.radius, shells_[a].radius, false, true, {}};
@@ -92,13 +92,14 @@ class surroundings {
         }
         next_.place = whole + gone;
         centre_in_flight_ = from_flight(centre_, whole);
-        if ((!is_periodic() && idle_ > patience()) || !end_of_shell(f, now, centre_in_flight_, next_.radius).known ||
+        if (!end_of_shell(f, now, centre_in_flight_, next_.radius).known ||
             next_.radius > 0.25 * most_periods * shortest_) {
             return false;
         }
         fresh_.clear();
         fresh_images_.clear();
         const double reach = next_.ball + next_.radius;
+        cells_.make_level(reach);
         cells_.around(centre_, reach, !with_cells_, [&](body b, image_index image) {
             if (b != a) {
                 fresh_.push_back(b);
@@ -124,7 +125,6 @@ class surroundings {
     }
     // After this, settle neither allocates nor throws.
     void make_room(body a) {
-        cells_.make_level(next_.ball + next_.radius);
         for (const body b : fresh_) {
             if (b < balls_) {
                 lists_.make_room(b, is_periodic() ? fresh_.size() : 1); // several images of one
@@ -133,7 +133,7 @@ class surroundings {
         lists_.make_room(a, fresh_.size());
     }
     void settle(body a) noexcept {
-        ++idle_;
+        idle_.note_shell();
         if (shells_[a].is_there) {
             retire(a);
         }
@@ -148,11 +148,8 @@ class surroundings {
             }
         }
     }
-    // An event has happened.
-    void note_event() noexcept { idle_ = 0; }
-    // Whether nothing has happened for long, true from time to time; and for very long.
-    [[nodiscard]] bool has_idled() const noexcept { return idle_ % patience() == patience() - 1; }
-    [[nodiscard]] bool is_idle() const noexcept { return idle_ > 100'000 + 1000 * shells_.size(); }
+    // Since the last event, which is to be noted here.
+    [[nodiscard]] idle_count& idle() noexcept { return idle_; }
     // From now on ball a is examined with every other ball.
     void spread(body a) noexcept {
         retire(a);
@@ -164,7 +161,7 @@ class surroundings {
     // How many distances between balls a shell and its ball are to reach: a dozen balls are then on a list in space. A
     // shell is not less than `narrowest` of them, or the ball would leave it too often.
     static constexpr double crowded = 0.7, narrowest = 0.3;
-    static constexpr std::size_t fewest = 2, most = N == 2 ? 16 : 32;
+    static constexpr std::size_t fewest = 5, most = N == 2 ? 16 : 32;
 
     struct shell {
         double ball = 0;   // its radius
@@ -187,8 +184,6 @@ class surroundings {
         }
         return centre;
     }
-    // In shells: some dozens of each ball.
-    [[nodiscard]] std::size_t patience() const noexcept { return 32 * shells_.size() + 256; }
     void add_image(image_index image) {
         if (is_periodic()) {
             fresh_images_.push_back(coded(image));
@@ -220,8 +215,8 @@ class surroundings {
     std::vector<shell> shells_;
     body balls_ = 0; // how many
     std::vector<body> everywhere_;
-    double least_ = 0;     // to which a shell shrinks
-    std::size_t idle_ = 0; // shells since the last event
+    double least_ = 0; // to which a shell shrinks
+    idle_count idle_;
     bool with_cells_ = false;
     // of the ball looked at last
     shell next_;
