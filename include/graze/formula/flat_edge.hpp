@@ -19,14 +19,15 @@ struct flat_edge {
     int border = -1, corner = -1;                              // which one it is
 };
 template <int N, class T>
-[[nodiscard]] constexpr flat_edge<N, T> edge_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d, const T& r,
-                                                const T& inside, const T& inward, const T& speed) {
+[[nodiscard, gnu::always_inline]] constexpr inline flat_edge<N, T>
+edge_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d, const T& r, const T& inside, const T& inward,
+        const T& speed) {
     const T wd = graze::dot(w, d), wu = graze::dot(w, u), dd = graze::dot(d, d), ud = graze::dot(u, d);
     return {graze::dot(w, w), wd, wu, dd, ud, graze::dot(u, u), r, wd - dd, wu - ud, inside, inward, speed};
 }
 template <int N, class T>
-[[nodiscard]] constexpr flat_edge<N, T> corner_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d,
-                                                  const T& r, const T& speed) {
+[[nodiscard, gnu::always_inline]] constexpr inline flat_edge<N, T>
+corner_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d, const T& r, const T& speed) {
     auto x = edge_of(w, u, d, r, speed, speed, speed);
     x.moment = graze::cross(w, u);
     return x;

@@ -121,7 +121,7 @@ class flat_sight {
                        [&](int k) { return along<foot_from_start, foot_from_end>(k); });
     }
 
-    [[nodiscard, gnu::always_inline]] constexpr flat_edge<N, T> seen_from_border(int k) const {
+    [[nodiscard]] constexpr flat_edge<N, T> seen_from_border(int k) const {
         if constexpr (N == 2) {
             return seen_from_corner(k, k);
         } else {
@@ -133,7 +133,7 @@ class flat_sight {
         }
     }
     // Of a corner, with the direction inwards along border k.
-    [[nodiscard, gnu::always_inline]] constexpr flat_edge<N, T> seen_from_corner(int corner, int k) const {
+    [[nodiscard]] constexpr flat_edge<N, T> seen_from_corner(int corner, int k) const {
         vec<N, T> d = m_.e[0];
         if constexpr (N == 2) {
             d = k == 0 ? d : -d;
@@ -182,7 +182,7 @@ class flat_sight {
     const Judge& judge_;
 
   private:
-    [[nodiscard, gnu::always_inline]] constexpr flat_edge<N, T> corner_along(int corner, const vec<N, T>& d) const {
+    [[nodiscard]] constexpr flat_edge<N, T> corner_along(int corner, const vec<N, T>& d) const {
         auto x = corner_of(centre_from(m_, corner), m_.u, d, m_.r, way_.speed);
         x.corner = corner;
         return x;
