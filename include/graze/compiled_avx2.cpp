@@ -39,7 +39,8 @@ void time_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t c
     GRAZE_ASK_BALLS(A, ball_of##N##T)                                                                                  \
     GRAZE_ASK(batch_classify, A, plane_of##N##T)                                                                       \
     GRAZE_ASK(batch_overlaps, A, plane_of##N##T)                                                                       \
-    GRAZE_ASK(batch_classify, A, wall_of##N##T)
+    GRAZE_ASK(batch_classify, A, wall_of##N##T)                                                                        \
+    GRAZE_ASK(batch_overlaps, A, wall_of##N##T)
 #define GRAZE_SOURCES(N, T)                                                                                            \
     using columns_of##N##T = column_source<N, T>;                                                                      \
     using balls_of##N##T = array_source<N, T>;                                                                         \
@@ -57,7 +58,9 @@ GRAZE_SOURCES(3, double)
 #define GRAZE_ASK_TRIANGLE(T)                                                                                          \
     using triangle_of_##T = single_source<triangle<T>>;                                                                \
     GRAZE_ASK(batch_classify, columns_of3##T, triangle_of_##T)                                                         \
-    GRAZE_ASK(batch_classify, balls_of3##T, triangle_of_##T)
+    GRAZE_ASK(batch_classify, balls_of3##T, triangle_of_##T)                                                           \
+    GRAZE_ASK(batch_overlaps, columns_of3##T, triangle_of_##T)                                                         \
+    GRAZE_ASK(batch_overlaps, balls_of3##T, triangle_of_##T)
 
 GRAZE_ASK_TRIANGLE(float)
 GRAZE_ASK_TRIANGLE(double)
