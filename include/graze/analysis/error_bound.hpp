@@ -37,7 +37,7 @@ struct basic_error_bound {
     // constant.
     constexpr explicit basic_error_bound(int value) : magnitude(value < 0 ? -value : value) {}
 
-    // u in any rounding mode.
+    // The u that holds in any rounding mode.
     static constexpr double unit = [] {
         double u = 2;
         for (int i = 0; i < Digits; ++i) {
@@ -58,7 +58,7 @@ using error_bound = basic_error_bound<53>;
 
 namespace detail {
 
-// After `count` roundings in a row of something of at most `magnitude`: (1+u)^count - 1 <= count u / (1 - count u).
+// After `count` roundings in a row of a value of at most `magnitude`: (1+u)^count - 1 <= count u / (1 - count u).
 template <int Digits = 53>
 [[nodiscard]] constexpr basic_error_bound<Digits> rounded(double magnitude, double propagated, double spread, int count,
                                                           error_bound::degrees degree) {

@@ -15,7 +15,7 @@ namespace graze::inline v0_1 {
 
 class fpcore_term;
 
-// Collects a run: inputs by name, and every operation once, in the order in which the formula computes them.
+// Collects a run: inputs by name, and each operation once, in the order in which the formula computes it.
 class fpcore_script {
   public:
     // A symbol of FPCore: letters, digits and any of ~!@$%^&*_-+=<>.?/: but no digit or colon first. Throws
@@ -26,8 +26,8 @@ class fpcore_script {
     // A fact about the inputs, an expression of FPCore such as "(< 0 R)".
     void suppose(const std::string& fact) { facts_.push_back(fact); }
 
-    // The whole of it. name: printable ASCII; std::invalid_argument for anything else, which FPCore's strings cannot
-    // hold. precision: "binary32", "binary64", "binary128", "real" or another that the tools know.
+    // The whole script. name: printable ASCII; throws std::invalid_argument for anything else, since FPCore's strings
+    // cannot hold it. precision: "binary32", "binary64", "binary128", "real" or another that the tools know.
     [[nodiscard]] std::string text(const fpcore_term& result, const std::string& name,
                                    const std::string& precision = "binary64") const;
 
@@ -37,7 +37,7 @@ class fpcore_script {
 
     static constexpr const char* digits = "0123456789";
     [[nodiscard]] static bool is_symbol(const std::string& name);
-    [[nodiscard]] static bool is_constant(const std::string& name); // and numbers
+    [[nodiscard]] static bool is_constant(const std::string& name); // or a number
     [[nodiscard]] static std::string quoted(const std::string& name);
 };
 
@@ -71,7 +71,7 @@ class fpcore_term {
     friend class fpcore_script;
     fpcore_term(fpcore_script* script, std::string text) : script_(script), text_(std::move(text)) {}
 
-    // Of numbers alone there is no script: the operation stands where it is used.
+    // An operation on numbers only belongs to no script: it is written out wherever it is used.
     [[nodiscard]] static fpcore_term noted(const char* operation, std::initializer_list<const fpcore_term*> operands) {
         std::string expression = std::string("(") + operation;
         fpcore_script* script = nullptr;

@@ -16,10 +16,10 @@ class gappa_term;
 // doubles in every rounding mode. A fused multiply-add omits a rounding, so the hypotheses stay true.
 class gappa_script {
   public:
-    // unit: u as Gappa reads it.
+    // unit: u in Gappa's syntax.
     explicit gappa_script(std::string unit = "1b-52") : unit_(std::move(unit)) {}
 
-    // An input that is exact, or that was rounded once. |value| <= 1.
+    // An input that is exact, or that was rounded once; |value| <= 1.
     [[nodiscard]] gappa_term exact_input(const std::string& name);
     [[nodiscard]] gappa_term rounded_input(const std::string& name);
     // A value that, by another proof, differs from `exact` by at most `error` units u. Both are expressions and may
@@ -42,7 +42,7 @@ class gappa_script {
     std::string definitions_;
     std::string hypotheses_;
     std::string hints_;
-    std::map<std::string, std::string> names_; // of exact expressions
+    std::map<std::string, std::string> names_; // by exact expression
     int count_ = 0;
 };
 

@@ -6,12 +6,12 @@
 namespace graze::inline v0_1 {
 
 struct operation_count {
-    int sums = 0; // and differences; a doubling is one
+    int sums = 0; // differences too; a doubling is one
     int products = 0;
     int fused = 0; // x*y + z, rounded once
     int quotients = 0;
     int roots = 0;
-    int signs = 0; // looked at; negations are free
+    int signs = 0; // comparisons with 0; negations are free
 
     [[nodiscard]] friend constexpr bool operator==(const operation_count&, const operation_count&) = default;
 };
@@ -31,7 +31,7 @@ class counted_number {
 
 namespace detail {
 
-// One operation of the kind given; its result.
+// The result of one operation of this kind.
 [[nodiscard]] constexpr counted_number counted(int operation_count::*kind, const counted_number& x,
                                                const counted_number& y) {
     operation_count* const counter = x.counter() != nullptr ? x.counter() : y.counter();

@@ -28,7 +28,7 @@ class polynomial {
             append({0, value});
         }
     }
-    // x_index.
+    // The variable x_index.
     [[nodiscard]] static constexpr polynomial variable(int index) {
         if (index < 0 || index >= variables) {
             throw std::out_of_range("polynomial: no such variable");
@@ -88,7 +88,7 @@ class polynomial {
 
   private:
     struct term {
-        std::uint64_t exponents; // four bits a variable: monomials multiply by a sum, which keeps their order
+        std::uint64_t exponents; // four bits for each variable: a product of monomials is a sum of these
         std::int64_t coefficient;
         [[nodiscard]] friend constexpr bool operator==(const term&, const term&) = default;
     };
@@ -135,7 +135,7 @@ class polynomial {
         return r;
     }
 
-    // Terms [from, to) of x, times y.
+    // Terms [from, to) of x, multiplied by y.
     [[nodiscard]] static constexpr polynomial product_of(const polynomial& x, std::size_t from, std::size_t to,
                                                          const polynomial& y) {
         if (to - from > 1) {
@@ -175,7 +175,7 @@ class polynomial {
     }
 
     std::size_t size_ = 0;
-    std::array<term, static_cast<std::size_t>(Terms)> terms_{}; // by ascending exponents, no coefficient 0
+    std::array<term, static_cast<std::size_t>(Terms)> terms_{}; // by ascending exponents, without zero coefficients
 };
 
 template <int Terms>

@@ -40,7 +40,7 @@ struct range_bound {
     }
 
     [[nodiscard]] constexpr double magnitude() const { return -low > high ? -low : high; }
-    // The result of an operation: [from, to] is its exact range, inherited its error before it rounds.
+    // The result of an operation: [from, to] is its exact range, `inherited` the error before it rounds.
     [[nodiscard]] static constexpr range_bound rounded(double from, double to, double inherited) {
         const range_bound exact{from, to, inherited};
         return {from, to, inherited + exact.magnitude() + unit * inherited};
@@ -57,7 +57,7 @@ struct range_bound {
     }
     // x̂/ŷ - x/y = ((x̂ - x) - (x/y)(ŷ - y))/ŷ.
     [[nodiscard]] friend constexpr range_bound operator/(const range_bound& x, const range_bound& y) {
-        const double least = (y.low > 0 ? y.low : -y.high) - unit * y.error; // of |ŷ|
+        const double least = (y.low > 0 ? y.low : -y.high) - unit * y.error; // the least |ŷ|
         if (!(least > 0)) {
             throw std::domain_error("range_bound: the divisor may be 0");
         }
@@ -65,7 +65,7 @@ struct range_bound {
         const range_bound q = product(x, inverse);
         return rounded(q.low, q.high, (x.error + range_bound{q.low, q.high, 0}.magnitude() * y.error) / least);
     }
-    // Without the rounding of the operation.
+    // The product without its own rounding.
     [[nodiscard]] static constexpr range_bound product(const range_bound& x, const range_bound& y) {
         const double ends[4] = {x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high};
         range_bound p{ends[0], ends[0], x.magnitude() * y.error + y.magnitude() * x.error + unit * x.error * y.error};

@@ -13,7 +13,7 @@ namespace graze::inline v0_1 {
 // inputs, with at most one factor 1 + δ or 1/(1 + δ) for each product and each sum on its way. Fused multiply-adds and
 // registers of more precision omit roundings. The caller excludes under- and overflow.
 struct rounding_count {
-    int products = 0; // on the longest way
+    int products = 0; // on the path with the most
     int sums = 0;     // in all
 
     constexpr rounding_count() = default;
@@ -47,7 +47,7 @@ struct term_size {
     double value = 0;
 
     constexpr term_size() = default;
-    // Of an input.
+    // The size of an input.
     constexpr explicit term_size(double x) noexcept : value(x < 0 ? -x : x) {}
     constexpr explicit term_size(int x) noexcept : value(x < 0 ? -x : x) {}
 

@@ -24,7 +24,7 @@ struct word_rounding {
     [[nodiscard]] static constexpr word_rounding exact_double() { return {0, 0}; }
     [[nodiscard]] static constexpr word_rounding exact_input() { return {1, 0}; }
 
-    // error u², with room for the roundings of this, of S and of terms of the order u³.
+    // error u², with room for the roundings of this product and of S, and for terms of the order u³.
     [[nodiscard]] constexpr double bound() const { return (1 + 0x1p-40) * 0x1p-106 * error; }
 
     [[nodiscard]] friend constexpr word_rounding operator-(const word_rounding& x) { return x; }

@@ -9,8 +9,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// significand · 2^exponent, which is within 4u of an integer, relatively, in any rounding mode; 0 is exact. The
-// significand is below 2^65 in magnitude, so that neither it nor its square can over- or underflow.
+// significand · 2^exponent, within a relative 4u of an integer in any rounding mode; 0 is exact. The significand is
+// below 2^65 in magnitude, so neither it nor its square can over- or underflow.
 struct scaled_double {
     double significand = 0;
     int exponent = 0;
@@ -28,7 +28,7 @@ template <int Bits>
     while (top > 0 && magnitude.limb(top) == 0) {
         --top;
     }
-    // The top limb and 64 bits of what follows, normalised: at least 64 significant bits.
+    // The top limb and the 64 bits after it, normalised: at least 64 significant bits.
     const int zeros = std::countl_zero(magnitude.limb(top));
     const std::uint64_t below = top > 0 ? magnitude.limb(top - 1) : 0;
     const std::uint64_t word =
@@ -37,8 +37,8 @@ template <int Bits>
     return {x.is_negative() ? -value : value, 64 * top - (zeros == 64 ? 0 : zeros)};
 }
 
-// The highest digit may be small; the next one then carries the significant bits. All digits below are less than one
-// part in 2^63 of these two.
+// If the highest digit is small, the next one carries the significant bits. All digits below are less than one part in
+// 2^63 of these two.
 [[nodiscard, gnu::noinline]] constexpr scaled_double approximate(const big_integer& x) noexcept {
     if (x.count() == 0) {
         return {};

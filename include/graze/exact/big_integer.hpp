@@ -18,9 +18,9 @@ struct vec;
 
 namespace detail {
 
-// ± Σ digit_i 2^(64 (low + i)), the digits in [-2^63, 2^63), the first and the last not 0: the sign is that of the last
-// one, since all below amount to less than its unit. Between numbers with exponents far apart lie zeros, whose rows in
-// a product cost nothing. A value: its digits are in a workspace or are constants, and never change.
+// ± Σ digit_i 2^(64 (low + i)) with digits in [-2^63, 2^63), the first and the last not 0. The sign is that of the last
+// digit, since all others amount to less than its unit. Numbers with exponents far apart have zeros in between, which
+// cost a product nothing. It is a value: its digits are in a workspace or are constants, and never change.
 class big_integer {
   public:
     constexpr big_integer() noexcept = default;
@@ -28,7 +28,7 @@ class big_integer {
     constexpr big_integer(int value) noexcept
         : digit_(small + (value < 0 ? -value : value)), count_(value != 0 ? 1 : 0), negative_(value < 0) {}
 
-    // significand · 2^shift, 0 <= shift.
+    // significand · 2^shift; shift >= 0.
     [[nodiscard, gnu::noinline]] static constexpr big_integer from_shifted(workspace& w, std::int64_t significand,
                                                                            int shift) noexcept {
         if (significand == 0) {
@@ -39,7 +39,7 @@ class big_integer {
         return big_integer(&w, digit, 2, shift / 64, false);
     }
 
-    // From the two's complement in limbs, the lowest first.
+    // From limbs in two's complement, the lowest first.
     [[nodiscard, gnu::noinline]] static constexpr big_integer from_limbs(workspace& w, const std::uint64_t* limb,
                                                                          int count) noexcept {
         std::int64_t* const digit = w.take(count + 1);
@@ -52,7 +52,7 @@ class big_integer {
     }
     [[nodiscard]] constexpr int count() const noexcept { return count_; }
     [[nodiscard]] constexpr int low() const noexcept { return low_; }
-    // For |x| or -|x|: the digits of a number that is_negated are those of its negative.
+    // A digit of x or, if is_negated, of -x.
     [[nodiscard]] constexpr std::int64_t digit(int i) const noexcept { return digit_[i]; }
     [[nodiscard]] constexpr bool is_negated() const noexcept { return negative_; }
     [[nodiscard]] constexpr workspace* room() const noexcept { return room_; }
@@ -115,7 +115,7 @@ class big_integer {
 
     // Σ ± x y, the terms added up where they stand.
     [[nodiscard, gnu::noinline]] static constexpr big_integer sum_of_products(const term* terms, int count) noexcept {
-        const auto each = [&](auto f) { // a zero stands nowhere
+        const auto each = [&](auto f) { // a zero has no place
             for (int k = 0; k < count; ++k) {
                 if (terms[k].x->count_ != 0 && terms[k].y->count_ != 0) {
                     f(*terms[k].x, *terms[k].y, terms[k].subtracted);
@@ -155,7 +155,7 @@ class big_integer {
     }
 
   private:
-    // From digits that have been taken: drops zeros at either end and keeps the rest.
+    // From digits taken from the workspace: drops zeros at both ends and keeps the rest.
     constexpr big_integer(workspace* w, std::int64_t* digit, int count, int low, bool negative) noexcept {
         while (count > 0 && digit[count - 1] == 0) {
             --count;
@@ -178,7 +178,7 @@ class big_integer {
 
     [[nodiscard]] static constexpr big_integer constant(int value) noexcept {
         if (value < -4 || value > 4) {
-            std::terminate(); // no formula does so
+            std::terminate(); // no formula reaches this
         }
         return value;
     }
@@ -197,7 +197,7 @@ class big_integer {
     bool negative_ = false;
 };
 
-// x in a workspace.
+// x, in a workspace.
 template <int Bits>
 [[nodiscard, gnu::noinline]] constexpr big_integer to_big(workspace& w, const integer<Bits>& x) noexcept {
     std::uint64_t limb[integer<Bits>::limbs];

@@ -40,7 +40,7 @@ struct binary {
     return {significand >> zeros, exponent + zeros};
 }
 
-// Whether x is neither infinite nor NaN, by its exponent bits.
+// Whether x is neither infinite nor NaN, judged by its exponent bits.
 [[nodiscard]] constexpr bool is_finite_input(const double& x) noexcept {
     return (bits_of(x) & 0x7ff0000000000000U) != 0x7ff0000000000000U;
 }
@@ -56,14 +56,14 @@ template <std::signed_integral T>
 template <class T>
 inline constexpr bool is_wide_integer = std::signed_integral<T> && sizeof(T) == 8;
 
-// Whether x is so small that a mode may read it as 0. The test is for a range of the bits. If all bits but the sign
-// were compared with 0, clang would compare x itself with 0, and the mode would read it as 0.
+// Whether x is so small that a mode may read it as 0. The bits are tested for a range: a test of all bits but the sign
+// for 0 becomes a comparison of x with 0 in clang, and the mode would then read x as 0.
 [[nodiscard]] constexpr bool is_subnormal(const double& x) noexcept {
     return (bits_of(x) << 1 >> 1) - 1 < 0xfffffffffffffU;
 }
 [[nodiscard]] constexpr bool is_subnormal(const float& x) noexcept { return (bits_of(x) << 1 >> 1) - 1 < 0x7fffffU; }
 
-// x as significand · 2^exponent, with the significand as it is stored.
+// x as significand · 2^exponent, with the significand as stored.
 [[nodiscard]] constexpr binary split(const double& x) noexcept {
     const std::uint64_t bits = bits_of(x);
     const int field = static_cast<int>(bits >> 52 & 0x7ff);
@@ -91,7 +91,7 @@ requires is_binary_input<T>
     return odd(b.significand, b.exponent);
 }
 
-// An unsigned number that is ordered as |x| is. Its lowest bits are those of the significand, without the hidden bit.
+// An unsigned number that is ordered like |x|. Its lowest bits are the significand's, without the hidden bit.
 [[nodiscard]] constexpr std::uint64_t order_of_magnitude(const double& x) noexcept { return bits_of(x) << 1 >> 1; }
 [[nodiscard]] constexpr std::uint64_t order_of_magnitude(const float& x) noexcept { return bits_of(x) << 1 >> 1; }
 template <std::signed_integral T>
@@ -127,15 +127,15 @@ template <class T>
 // narrow.
 template <std::size_t K>
 struct lifted {
-    std::array<std::int64_t, K> significand; // not zeroed first: lift writes all of them
+    std::array<std::int64_t, K> significand; // not zeroed first, since lift writes all of them
     std::array<int, K> power;
-    int lowest = 0; // the exponent of a significand that is not shifted
-    int zeros = 0;  // below every significand
+    int lowest = 0; // the exponent of a significand with shift 0
+    int zeros = 0;  // trailing zeros that all significands share
     int exponent = 0;
     int width = 0;
-    workspace* room = nullptr; // where the digits of big integers lie
+    workspace* room = nullptr; // for the digits of big integers
 
-    // Value i over 2^exponent, in an integer type of at least `width` bits, or of any size.
+    // Value i divided by 2^exponent, in an integer type of at least `width` bits or of any size.
     template <class I>
     [[nodiscard]] constexpr I get(std::size_t i) const noexcept {
         const int shift = significand[i] != 0 ? power[i] - lowest : 0;
@@ -147,11 +147,11 @@ struct lifted {
     }
 };
 
-// K finite numbers from `values` on, lifted.
+// Lifts K finite numbers, from `values` on.
 template <std::size_t K, class T>
 constexpr void lift(lifted<K>& r, const T* values) noexcept {
     std::uint64_t high = 0;
-    std::uint64_t low = ~std::uint64_t{0}; // of the orders less one: 0 becomes the highest
+    std::uint64_t low = ~std::uint64_t{0}; // the least order less one: a 0 wraps to the highest
     std::uint64_t any = 0;
     for (std::size_t i = 0; i < K; ++i) {
         const std::uint64_t order = order_of_magnitude(values[i]);
@@ -162,7 +162,7 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
         high = order > high ? order : high;
         low = order - 1 < low ? order - 1 : low;
     }
-    if (opaque(any) == 0) { // as in is_zero
+    if (opaque(any) == 0) { // opaque as in is_zero
         return;
     }
     if constexpr (!std::signed_integral<T>) {
@@ -174,7 +174,7 @@ constexpr void lift(lifted<K>& r, const T* values) noexcept {
     r.width = stored_exponent<T>(high) - r.lowest + stored_bits<T>(high) - r.zeros;
 }
 
-// Brings a group to another scale, not above its own.
+// Brings a group to another scale, which must not be above its own.
 template <std::size_t K>
 constexpr void lower(lifted<K>& x, int exponent) noexcept {
     const int down = x.exponent - exponent;

@@ -8,14 +8,14 @@
 
 namespace graze::inline v0_1::detail {
 
-// Σ digit[i] 2^(64 i), i < count, the digits in [-2^63, 2^63). A view: it owns nothing.
+// Σ digit[i] 2^(64 i), i < count, with digits in [-2^63, 2^63). A non-owning view.
 struct digit_row {
     const std::int64_t* digit;
     int count;
 };
 
-// Writes significand · 2^shift in two digits, 0 <= shift < 64. 2^63 is not a digit, so that the power is taken in two
-// factors.
+// Writes significand · 2^shift in two digits, 0 <= shift < 64. The power is taken in two factors, since 2^63 is not a
+// digit.
 constexpr void write_shifted(std::int64_t* digit, std::int64_t significand, int shift) noexcept {
     const std::int64_t first = std::int64_t{1} << shift / 2, second = std::int64_t{1} << (shift - shift / 2);
     const auto half = multiply_add_balanced(significand, first, 0, 0);
@@ -24,7 +24,7 @@ constexpr void write_shifted(std::int64_t* digit, std::int64_t significand, int 
     digit[1] = half.high * second + low.high;
 }
 
-// Writes a two's complement of `count` limbs, the lowest first, in one digit more: a negative digit borrows from the
+// Writes `count` limbs in two's complement, the lowest first, in count + 1 digits: a negative digit borrows from the
 // next limb.
 constexpr void write_limbs(std::int64_t* digit, const std::uint64_t* limb, int count) noexcept {
     const std::uint64_t extension = limb[count - 1] >> 63 != 0 ? ~std::uint64_t{0} : 0;
@@ -36,7 +36,7 @@ constexpr void write_limbs(std::int64_t* digit, const std::uint64_t* limb, int c
     }
 }
 
-// Writes x ± y 2^(64 shift), shift >= 0, in one digit more than the longer of the two reaches.
+// Writes x ± y 2^(64 shift), shift >= 0, in one digit more than the longer of the two needs.
 constexpr void write_sum(std::int64_t* digit, digit_row x, digit_row y, int shift, bool subtract) noexcept {
     const std::int64_t opposite = subtract ? 1 : 0;
     const int end = y.count + shift;
@@ -78,7 +78,7 @@ constexpr void write_sum(std::int64_t* digit, digit_row x, digit_row y, int shif
 // Writes x y in x.count + y.count digits.
 constexpr void write_product(std::int64_t* digit, digit_row x, digit_row y) noexcept {
     if (x.count > y.count) {
-        std::swap(x, y); // fewer and longer rows
+        std::swap(x, y); // fewer rows, and longer ones
     }
     std::int64_t carry = 0;
     for (int j = 0; j < y.count; ++j) {
@@ -92,7 +92,7 @@ constexpr void write_product(std::int64_t* digit, digit_row x, digit_row y) noex
     }
 }
 
-// Adds ±x y to the digits from `sum` on, which have room for the carries.
+// Adds ±x y to the digits from `sum` on, which must have room for the carries.
 constexpr void add_product(std::int64_t* sum, digit_row x, digit_row y, bool subtract) noexcept {
     if (x.count > y.count) {
         std::swap(x, y);

@@ -19,7 +19,7 @@ class dyadic {
   public:
     dyadic(int x = 0) : dyadic(x, 0) {}
 
-    // x, which is finite, exactly.
+    // Exactly x, which must be finite.
     template <std::floating_point T>
     requires is_binary_input<T>
     explicit dyadic(const T& x) : dyadic(detail::split(x).significand, detail::split(x).exponent) {}
@@ -60,7 +60,7 @@ class dyadic {
         if (digits_.empty()) {
             return T(0);
         }
-        std::uint64_t leading = 0; // from the highest bit on
+        std::uint64_t leading = 0; // from the highest bit down
         const int top = end() - 1;
         const int zeros = std::countl_zero(digit(top));
         for (int i = 0; i < 3; ++i) {
@@ -84,7 +84,7 @@ class dyadic {
         trim();
     }
 
-    // x and y, y with this sign.
+    // x + y, with y's sign replaced.
     [[nodiscard]] static dyadic sum(const dyadic& x, const dyadic& y, bool y_negative) {
         if (x.digits_.empty() || y.digits_.empty()) {
             dyadic result = x.digits_.empty() ? y : x;
@@ -112,7 +112,7 @@ class dyadic {
         result.trim();
         return result;
     }
-    // |x| < |y|.
+    // Whether |x| < |y|.
     [[nodiscard]] static bool is_less(const dyadic& x, const dyadic& y) noexcept {
         for (int i = std::max(x.end(), y.end()); i-- > std::min(x.lowest_, y.lowest_);) {
             if (x.digit(i) != y.digit(i)) {
@@ -126,7 +126,7 @@ class dyadic {
     [[nodiscard]] std::uint32_t digit(int i) const noexcept {
         return i < lowest_ || i >= end() ? 0 : digits_[static_cast<std::size_t>(i - lowest_)];
     }
-    // Without zeros at either end.
+    // Drops zeros at both ends.
     void trim() {
         while (!digits_.empty() && digits_.back() == 0) {
             digits_.pop_back();
@@ -137,8 +137,8 @@ class dyadic {
     }
 
     bool negative_ = false;
-    int lowest_ = 0;                    // the power of 2^32 of the first digit
-    std::vector<std::uint32_t> digits_; // from the lowest
+    int lowest_ = 0;                    // the first digit's power of 2^32
+    std::vector<std::uint32_t> digits_; // the lowest first
 };
 
 template <>

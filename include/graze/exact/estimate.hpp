@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// |exact - value · 2^exponent| <= error · 2^exponent, in any rounding mode; |value| <= 2 and error <= 2^101, and
-// neither becomes an infinity. It is a number type with the sums and products that the formulas need.
+// |exact - value · 2^exponent| <= error · 2^exponent in any rounding mode. |value| <= 2 and error <= 2^101; neither
+// becomes infinite. A number type with the sums and products that the formulas need.
 struct estimate {
     double value = 0;
     double error = 0;
@@ -32,7 +32,7 @@ struct estimate {
     return {x.value * scale, x.error * scale, x.exponent + power};
 }
 
-// x at a larger exponent. The bits that are shifted out become part of the error.
+// x at a larger exponent. The bits shifted out become part of the error.
 [[nodiscard]] constexpr estimate at_exponent(const estimate& x, int exponent) noexcept {
     const int down = exponent - x.exponent;
     if (down > 400) {
@@ -71,7 +71,7 @@ template <class I>
 }
 [[nodiscard]] constexpr estimate operator-(const estimate& x, const estimate& y) noexcept { return x + -y; }
 
-// Whether the estimate certainly has the sign of the exact value.
+// Whether the sign of the estimate is certainly that of the exact value.
 [[nodiscard]] constexpr bool is_certain(const estimate& x) noexcept { return magnitude(x.value) > x.error; }
 
 } // namespace graze::inline v0_1::detail

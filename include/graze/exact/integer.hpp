@@ -43,12 +43,12 @@ class integer {
 
     constexpr integer() noexcept = default;
 
-    // From a type whose values all fit.
+    // From a type all of whose values fit.
     template <std::signed_integral I>
     requires(sizeof(I) <= 8 && Bits >= 8 * static_cast<int>(sizeof(I))) constexpr integer(I value) noexcept {
         fill(static_cast<std::int64_t>(value));
     }
-    // From a constant that fits. One that does not fit does not compile.
+    // From a constant. One that does not fit does not compile.
     template <std::same_as<int> I>
     requires(Bits < 8 * static_cast<int>(sizeof(int))) consteval integer(I value) {
         if (value >> Bits != (value < 0 ? -1 : 0) || -value >> Bits != (value > 0 ? -1 : 0)) {
@@ -57,13 +57,13 @@ class integer {
         fill(value);
     }
 
-    // From a narrower one.
+    // From a narrower integer.
     template <int B>
     requires(B < Bits) constexpr integer(const integer<B>& x) noexcept {
         detail::repeat<limbs>([&](int i) { limb_[static_cast<unsigned>(i)] = x.limb(i); });
     }
 
-    // significand · 2^shift, shift >= 0. The caller knows that it fits.
+    // significand · 2^shift, shift >= 0. The caller guarantees that it fits.
     [[nodiscard]] static constexpr integer from_shifted(std::int64_t significand, int shift) noexcept {
         integer x;
         if constexpr (limbs == 1) {
@@ -121,7 +121,7 @@ class integer {
         return std::strong_ordering::equal;
     }
 
-    // Writes limb i. For the arithmetic below.
+    // Writes limb i; for the arithmetic below.
     constexpr void set_limb(int i, std::uint64_t value) noexcept { limb_[static_cast<unsigned>(i)] = value; }
 
   private:
@@ -155,8 +155,8 @@ template <int A, int B>
     return r;
 }
 
-// Rows of unsigned products. A negative factor's top bit adds too much; this is subtracted at the end, modulo the
-// width.
+// Adds up rows of unsigned products. The top bit of a negative factor adds too much, which is subtracted at the end,
+// modulo the width.
 template <int A, int B>
 [[nodiscard]] constexpr auto operator*(const integer<A>& x, const integer<B>& y) noexcept {
     using product = integer<A + B>;

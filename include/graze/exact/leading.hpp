@@ -27,7 +27,7 @@ struct leading {
 
 inline constexpr std::uint64_t no_bits = ~std::uint64_t{0}; // the error of an unknown number
 
-// The first 64 bits, truncated, of high · 2^64 + low, not 0, in units of 2^exponent.
+// The first 64 bits, truncated, of high · 2^64 + low, in units of 2^exponent; the number is not 0.
 [[nodiscard]] constexpr leading leading_of_words(std::uint64_t high, std::uint64_t low, int exponent, bool negative,
                                                  std::uint64_t error) noexcept {
     if (high == 0) {
@@ -57,8 +57,8 @@ template <int Bits>
                           : leading{};
 }
 
-// The highest digit may be ±1 and the next one of the other sign, so it takes the three highest to get 64 bits. All
-// digits below them amount to less than one unit of the third.
+// Three digits are needed for 64 bits: the highest may be ±1 with a next digit of the other sign. All digits below the
+// three amount to less than one unit of the third.
 [[nodiscard, gnu::noinline]] constexpr leading leading_of(const big_integer& x) noexcept {
     const int top = x.count() - 1;
     if (top < 0) {

@@ -10,8 +10,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// The largest error of an estimate that can be rounded to T. With it, the error of a quotient and 4 bits more, at most
-// one boundary of T is in question, since boundaries are 2^(63 - digits) units apart.
+// The largest error of an estimate that can be rounded to T. Even with a quotient's error and 4 bits more, at most one
+// boundary of T is in question, since boundaries are 2^(63 - digits) units apart.
 template <class T>
 inline constexpr std::uint64_t largest_error = std::uint64_t{1} << (59 - std::numeric_limits<T>::digits);
 
@@ -29,7 +29,7 @@ template <class T, class Against>
         width <<= 1;
         --exponent;
     }
-    const int unit = std::max(exponent + 63 - format.precision, format.lowest - 1); // of half a last place
+    const int unit = std::max(exponent + 63 - format.precision, format.lowest - 1); // the exponent of half a last place
     cut_off cut{0, unit, true};
     const int down = unit - exponent;
     if (unit + 1 <= format.highest && down <= 64) {
@@ -48,7 +48,7 @@ template <class T, class Against>
     return from_bits<T>(rounded_bits(format, cut, x.negative, mode), x.negative);
 }
 
-// (p + q√d)/r · 2^scale rounded, by the leading bits of p, q, √d and r; empty if those leave a doubt.
+// (p + q√d)/r · 2^scale rounded, from the leading bits of p, q, √d and r; empty if they leave it open.
 template <class T>
 [[nodiscard, gnu::noinline]] constexpr std::optional<T>
 round_leading(const leading& p, const leading& q, const leading& root, const leading& r, int scale, rounding mode) {

@@ -33,9 +33,9 @@ using root_sum_integer = typename detail::root_sum_integers<I>::type;
 
 namespace detail {
 
-// The largest quotient, in bits, of the scales of a value and a boundary, either way. The exponent of a boundary is in
-// [-1075, 971]. Times have scales up to 2^2098 (lengths up to 2^1023 over velocities from 2^-1074 on), lengths of
-// flights down to 2^-3119.
+// The largest quotient, in bits, between the scales of a value and a boundary. A boundary's exponent is in [-1075,
+// 971]. Times have scales up to 2^2098 (lengths up to 2^1023 over velocities from 2^-1074 on); lengths of flights have
+// scales down to 2^-3119.
 inline constexpr int largest_shift = 3119 + 971;
 
 [[nodiscard]] constexpr workspace* room_of(const big_integer& x, const big_integer& y, const big_integer& z) noexcept {
@@ -54,7 +54,7 @@ inline constexpr int largest_shift = 3119 + 971;
     return sign_of_root_sum(p * unit - r * boundary, q * unit, d);
 }
 
-// p + q√d where p and q√d cancel, as (p² - q²d)/(p - q√d), whose denominator does not cancel.
+// p + q√d where p and q√d cancel: (p² - q²d)/(p - q√d), whose denominator does not cancel.
 [[nodiscard, gnu::noinline]] constexpr leading estimate_by_norm(const big_integer& p, const big_integer& q,
                                                                 const big_integer& d, leading first, leading second) {
     const workspace::scope scope(room_of(p, q, d));
@@ -64,7 +64,7 @@ inline constexpr int largest_shift = 3119 + 971;
     return norm / (first + second);
 }
 
-// (p + q√d)/r · 2^scale rounded, whatever the leading bits leave open.
+// (p + q√d)/r · 2^scale rounded, even if the leading bits leave it open.
 template <class T>
 [[nodiscard, gnu::noinline]] constexpr T round_by_sign(const big_integer& p, const big_integer& q, const big_integer& d,
                                                        const leading& root, const big_integer& r, int scale,
@@ -85,7 +85,7 @@ template <class T>
     });
 }
 
-// The same two for integers whose width is in their type.
+// Both for integers whose width is in their type.
 inline constexpr int root_sum_room = 2048;
 template <int Bits>
 [[nodiscard, gnu::noinline]] constexpr int against_boundary(const integer<Bits>& p, const integer<Bits>& q,
@@ -107,7 +107,7 @@ template <class T, int Bits>
 
 } // namespace detail
 
-// d >= 0 with an estimate of its root, for all numbers of one Q(√d). Z is a root_sum_integer.
+// d >= 0 with an estimate of its root, shared by all numbers of one Q(√d). Z is a root_sum_integer.
 template <class Z>
 struct radicand {
     Z value;

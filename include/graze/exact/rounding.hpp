@@ -7,14 +7,14 @@
 
 namespace graze::inline v0_1 {
 
-// nearest: ties to even; to an infinity from the middle between the largest number and the next power of two on.
-// downward, upward: to the nearest number that is not above, or not below. Beyond the largest number that is the
-// largest number or an infinity.
+// nearest: ties to even; infinite from the middle between the largest number and the next power of two on. downward,
+// upward: the nearest number that is not above, or not below; beyond the largest number that is the largest number or
+// an infinity.
 enum class rounding { nearest, downward, upward };
 
 namespace detail {
 
-// A binary format: the significand's bits, the exponents of the lowest bits of the smallest and the largest numbers.
+// A binary format: its significand's bits, and the exponents of the lowest bits of its smallest and largest numbers.
 struct binary_format {
     int precision;
     int lowest;
@@ -43,8 +43,8 @@ struct cut_off {
     bool more;
 };
 
-// The bits of ±x rounded. Adding one to the bits is a step to the next number, also across powers of two, from the
-// subnormal to the normal numbers, and from the largest number to infinity.
+// The bits of ±x rounded. Adding one to the bits leads to the next number, even across powers of two, from subnormal to
+// normal numbers, and from the largest number to infinity.
 [[nodiscard]] constexpr std::uint64_t rounded_bits(const binary_format& format, const cut_off& x, bool negative,
                                                    rounding mode) noexcept {
     const std::uint64_t infinity = format.infinite_bits();

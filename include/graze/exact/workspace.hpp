@@ -6,8 +6,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Take digits, write them, then keep as many as the result has. Inputs with exponents as far apart as possible need
-// less than two thirds of the room. This is measured, not proved; a program that runs out of it ends.
+// To use it, take digits, write them, then keep as many as the result has. Inputs with exponents as far apart as
+// possible need less than two thirds of the room. That is measured, not proved: a program that runs out of room ends.
 class workspace {
   public:
     constexpr workspace(std::int64_t* digits, int capacity) noexcept : next_(digits), end_(digits + capacity) {}
@@ -22,7 +22,7 @@ class workspace {
     }
     constexpr void keep_until(std::int64_t* end) noexcept { next_ = end; }
 
-    // Its end gives back everything that was taken during its lifetime.
+    // At its end, everything taken during its lifetime is given back.
     class scope {
       public:
         constexpr explicit scope(workspace* w) noexcept : workspace_(w), mark_(w != nullptr ? w->next_ : nullptr) {}
@@ -44,7 +44,7 @@ class workspace {
     std::int64_t* end_;
 };
 
-// With its memory. Not zeroed.
+// A workspace that includes its memory, which is not zeroed.
 template <int Capacity>
 class workspace_of : public workspace {
   public:

@@ -7,7 +7,7 @@
 
 namespace graze::inline v0_1 {
 
-// N Cartesian coordinates, in any consistent unit. An aggregate: vec<2, double>{1, 2}. v[i] can be written to; x(), y()
+// N Cartesian coordinates, in any consistent unit. An aggregate: vec<2, double>{1, 2}. v[i] reads and writes; x(), y()
 // and, in space, z() read.
 template <int N, class T>
 struct vec {

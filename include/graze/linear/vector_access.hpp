@@ -83,12 +83,12 @@ requires(!sized_vector<V> && !calls_of_axes<V> && members_of_axes<V>) struct fou
 //   static constexpr int dimension;                     2 or 3
 //   using scalar = ...;                                 the number type of the components
 //   static constexpr scalar element(const V& v, int i); 0 <= i < dimension
-// Without a specialisation a type of that many elements (std::tuple_size, or an array) is read by v[i], and another one
-// by v.x(), v.y() and, if it has that, v.z(); or by the members v.x, v.y and v.z.
+// Without a specialisation, a type with that number of elements (std::tuple_size, or an array) is read by v[i]; any
+// other type by v.x(), v.y() and, if it has that, v.z(), or by the members v.x, v.y and v.z.
 template <class V>
 struct vector_access : detail::found_vector<V> {};
 
-// A type that stands for a vec, a vec itself included.
+// A type that can be read as a vec, or a vec itself.
 template <class V>
 concept vector_like = requires {
     typename vector_access<std::remove_cv_t<V>>::scalar;
@@ -102,14 +102,14 @@ struct vector_access<vec<N, T>> {
     [[nodiscard]] static constexpr const T& element(const vec<N, T>& v, int i) noexcept { return v[i]; }
 };
 
-// The vec of the same components. An expression of a library that evaluates lazily is evaluated here, once.
+// The vec of the same components. A lazy expression of a library is evaluated here, once.
 template <vector_like V>
 [[nodiscard]] constexpr auto vec_of(const V& v) {
     using access = vector_access<std::remove_cv_t<V>>;
     return make_vec<access::dimension>([&](int i) -> typename access::scalar { return access::element(v, i); });
 }
 
-// A vec as another library's vector, made of its components: vector_as<Eigen::Vector3d>(contact.normal).
+// A vec as another library's vector: vector_as<Eigen::Vector3d>(contact.normal).
 template <class V, int N, class T>
 requires(N == 2 &&
          requires(const T& x) {

@@ -17,7 +17,7 @@ class bounded_word {
     constexpr bounded_word() = default;
     explicit(false) bounded_word(int x) noexcept : value_(x) {}
     explicit bounded_word(double x) noexcept : value_(x) {}
-    // A value with an unlimited error: it may stand for any number.
+    // A value without a limit on its error: it may stand for any number.
     [[nodiscard]] static bounded_word unknown() noexcept {
         return {double_word(1), std::numeric_limits<double>::infinity()};
     }
@@ -60,7 +60,7 @@ class bounded_word {
         }
         const bounded_word quotient{x.value_ / y.value_, 0.0};
         if (x.is_double() && y.is_double() && quotient.is_double() && quotient.size() > 0x1p-500) {
-            return quotient; // a remainder would be in the lower half
+            return quotient; // any remainder would be in the low part
         }
         const double moved = slack * (x.error_ + quotient.size() * y.error_) / (y.size() - y.error_);
         return {quotient.value_, slack * moved + (0x1p-101 * quotient.size() + 0x1p-600)};

@@ -22,7 +22,7 @@ class basic_double_word {
     constexpr basic_double_word() = default;
     constexpr explicit(false) basic_double_word(double x) noexcept : high_(x) {}
     constexpr explicit(false) basic_double_word(int x) noexcept : high_(x) {}
-    // value + error, of which the value is the nearest double.
+    // value + error, where value must be the nearest double.
     constexpr explicit basic_double_word(const exact_pair<double>& x) noexcept : high_(x.value), low_(x.error) {}
     // a + b, exactly.
     [[nodiscard]] static constexpr double_word sum(double a, double b) noexcept { return double_word(two_sum(a, b)); }

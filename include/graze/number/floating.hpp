@@ -49,7 +49,7 @@ namespace detail {
             root |= 1;
         }
     }
-    const std::uint64_t rounded = (root >> 1) + (root & 1); // 53 bits; may carry to 2^53, which is exact as well
+    const std::uint64_t rounded = (root >> 1) + (root & 1); // 53 bits; may carry to 2^53, which is exact too
     double result = static_cast<double>(rounded);
     for (int power = exponent / 2 - 26; power != 0; power += power < 0 ? 1 : -1) {
         result *= power < 0 ? 0.5 : 2.0;

@@ -6,9 +6,9 @@
 
 namespace graze::inline v0_1::detail {
 
-// high + low, with low small beside the terms of a formula, but not always beside high. Exact in the first order:
-// losses are of the order u² of the terms, as word_rounding (analysis/word_rounding.hpp) counts. V: double or lanes.
-// Under the conditions of error-free transforms.
+// high + low, where low is small relative to the terms of a formula, but not always relative to high. Losses are of the
+// order u² of the terms, as word_rounding (analysis/word_rounding.hpp) counts them. V: double or lanes. Needs the
+// conditions of error-free transforms.
 template <bool Fused, class V = double>
 struct loose_word {
     V high{}, low{};

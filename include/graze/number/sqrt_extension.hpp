@@ -68,7 +68,7 @@ class sqrt_extension {
             return {x.p_ / y.p_, x.q_ / y.p_, d, trusted{}};
         }
         const T norm = y.p_ * y.p_ - y.q_ * y.q_ * d;
-        if (graze::sign(norm) == 0) { // √d is rational: |p| = |q|√d, so √d = |p/q|
+        if (graze::sign(norm) == 0) { // √d is rational, since |p| = |q|√d
             const T root = graze::sign(y.p_) * graze::sign(y.q_) < 0 ? T(-(y.p_ / y.q_)) : T(y.p_ / y.q_);
             return sqrt_extension((x.p_ + x.q_ * root) / (y.p_ + y.q_ * root));
         }

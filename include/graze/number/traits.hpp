@@ -96,7 +96,7 @@ template <number T>
     }
 }
 
-// The larger and the smaller of x and y. A type whose comparison is no bool brings its own in its traits.
+// The larger and the smaller of x and y. A type whose comparison is not a bool defines its own in its traits.
 template <class T>
 [[nodiscard]] constexpr T larger(const T& x, const T& y) {
     if constexpr (requires { number_traits<T>::larger(x, y); }) {

@@ -15,7 +15,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// What times of T are rounded to.
+// The type that times of T are rounded to.
 template <class T>
 using rounded_time_of = typename impact_time<2, T>::rounded_type;
 
@@ -67,10 +67,10 @@ void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scal
 
 namespace batch {
 
-// When each ball of a touches the ball of the same index of b first, or the one ball, plane or wall b: time[i] is
-// time_of_impact(a[i], b[i]) rounded once, to nearest (ties to even) or, as its lower() and upper(), down or up; and
-// +infinity where they never touch. The numbers of `time` are of type T; for balls of integers they are doubles.
-// Arguments, exceptions and what has been written then are as for classify.
+// When each ball of a first touches the ball of the same index in b, or the one ball, plane or wall b. time[i] is
+// time_of_impact(a[i], b[i]) rounded once: to nearest (ties to even) or, like its lower() and upper(), down or up. It
+// is +infinity if they never touch. `time` holds numbers of type T; for balls of integers, doubles. Arguments,
+// exceptions and what has been written after one are as for classify.
 template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void time_of_impact(const A& a, const B& b,

@@ -11,12 +11,12 @@
 
 namespace graze::inline v0_1::detail {
 
-// The hits of a block, side by side.
+// The hits of a block, next to each other.
 struct hit_list {
     std::array<std::size_t, block_size + 8> index;
     std::size_t size = 0;
 
-    // And the last of them again, up to a multiple of `step`.
+    // Repeats the last hit up to a multiple of `step`.
     hit_list(const open_pairs& hits, std::size_t step) noexcept {
         hits.each([this](std::size_t i) { index[size++] = i; });
         for (std::size_t k = size; k % step != 0; ++k) {
@@ -25,8 +25,8 @@ struct hit_list {
     }
 };
 
-// The pairs of a block from `from` on; time[i] is near the time of pair i if that is a hit. Rounds those times, and
-// leaves open those in doubt.
+// Rounds the times of the pairs of a block from `from` on. time[i] is near the time of pair i if that is a hit. Leaves
+// open the times in doubt.
 template <class V, class A, class B>
 struct rounded_hits {
     const A* a;
@@ -82,7 +82,7 @@ struct rounded_hits {
     }
 };
 
-// The times of the pairs from `from` on, `count` of them, and which of them are left open.
+// The times of `count` pairs from `from` on, and which of them are left open.
 template <class V, class A, class B>
 [[gnu::noinline]] void time_lanes(const A& a, const B& b, std::size_t from, std::size_t count, rounding mode,
                                   typename V::scalar* time, open_pairs& left) noexcept(reads_without_throwing<A, B>) {
@@ -103,7 +103,7 @@ template <class V, class A, class B>
     }
 }
 
-// time_lanes in registers of that many bytes, in a unit of graze::compiled.
+// time_lanes in registers of this many bytes, in a unit of graze::compiled.
 template <int Bytes, class A, class B>
 void time_compiled_lanes(const A& a, const B& b, std::size_t from, std::size_t count, rounding mode,
                          typename A::scalar* time, open_pairs& left) noexcept;

@@ -37,7 +37,7 @@ template <int N>
     return is_beyond(f, a, b, latest);
 }
 
-// As bounds_until returns them. Throws std::range_error where the distance is no difference of two T. [stand_ins]
+// As bounds_until returns them. Throws std::range_error if the distance is no difference of two T. [stand_ins]
 template <int N, class T>
 [[nodiscard]] enclosure bounds_of_image(const flight<N, T>& a, const flight<N, T>& b, const image_shift<N, T>& image,
                                         double latest) {

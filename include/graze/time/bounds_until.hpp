@@ -22,7 +22,7 @@ template <class F, int N, class T>
     return f.q.c + 2 * f.q.h * left > k * (f.length2 + f.q.a * (left * left));
 }
 
-// Doubles between which the time of two flights lies; from the largest double on if they don't meet, or certainly don't
+// Doubles between which the time of two flights lies; the largest double and up if they don't meet, or certainly don't
 // until `latest`. The latter settles most pairs before any root is taken. Throws as classify does.
 template <int N, class T>
 [[nodiscard, gnu::flatten]] enclosure bounds_until(const flight<N, T>& a, const flight<N, T>& b, double latest) {

@@ -16,8 +16,8 @@ struct bounded {
     V high, low, error;
 };
 
-// The ends of its interval, each as the nearest double. For T = float they are moved outwards by more than that
-// rounding, so that nothing is rounded twice.
+// The ends of that interval, each rounded to the nearest double. For T = float they are moved outwards by more than
+// that rounding, so that nothing is rounded twice.
 template <class V>
 struct ends {
     V lower, upper;
@@ -31,12 +31,12 @@ template <class T, class V>
     return {settled(x.high + settled(x.low - error)), settled(x.high + settled(x.low + error))};
 }
 
-// Added to an error for the losses by underflow. Where it is used, lengths, velocities and masses are within 2^±150,
-// 2^±150 and 2^±200, and 1/R is below 2^203: a loss of 2^-1071 in y is below 2^-860 in a normal and 2^-710 in a
-// velocity. So results below 2^-647 are not certain, and no exact zero is.
+// Added to an error, for losses by underflow. Where it is used, lengths and velocities are within 2^±150, masses within
+// 2^±200, and 1/R is below 2^203: a loss of 2^-1071 in y is below 2^-860 in a normal and 2^-710 in a velocity. So
+// results below 2^-647 are not certain, nor is any exact zero.
 inline constexpr double underflow = 0x1p-700;
 
-// Whether both ends round to the same T, which is not a zero (whose sign would be open). Every number between them then
+// Whether both ends round to the same T, except to a zero, whose sign would be open. Every number between them then
 // rounds to it, since rounding is monotonic.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline bool agree(const ends<double>& x) noexcept {
@@ -47,7 +47,7 @@ template <class T>
     }
 }
 
-// The same for two lanes: bit 0 and bit 1.
+// The same for two lanes, in bits 0 and 1.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline unsigned agreeing(const ends<lanes>& x) noexcept {
 #if defined(__SSE2__)
@@ -79,7 +79,7 @@ template <class T>
         return {static_cast<T>(interval.upper), agree<T>(interval)};
     }
     if constexpr (std::is_same_v<T, double>) {
-        // The number is r + rest ± error, r the nearest double: on the side of r that the sign of rest tells.
+        // The number is r + rest ± error, r the nearest double. The sign of rest tells on which side of r it is.
         const auto [r, rest] = two_sum(x.high, x.low);
         if (r > 0x1p-900 && absolute(rest) > x.error) {
             const std::uint64_t bits = bits_of(r);

@@ -11,12 +11,12 @@
 
 namespace graze::inline v0_1::detail {
 
-// What a time can be compared with: types all of whose values are doubles or 64-bit integers.
+// The types that a time can be compared with: all of their values are doubles or 64-bit integers.
 template <class U>
 concept time_number = std::same_as<U, float> || std::same_as<U, double> ||
     (std::integral<U> && sizeof(U) <= 8 && (std::signed_integral<U> || sizeof(U) < 8));
 
-// The order of an event's time, which lies in the bounds, and a number. as_double: whether the number certainly
+// The order of a number and an event's time, which is within the bounds. as_double: whether the number certainly
 // converts to double exactly.
 template <class Event, class Bounds, class U>
 [[nodiscard]] constexpr std::partial_ordering compare_with_number(const Event& event, const Bounds& bounds,

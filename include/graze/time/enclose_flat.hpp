@@ -8,8 +8,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// Around τ = (|w·n| - r|n|)/|u·n| of a ball that certainly touches the plane at a later time, from values whose errors
-// are at most those given; r is exact. Unknown where the doubles leave it open or tell little.
+// Around τ = (|w·n| - r|n|)/|u·n| of a ball that certainly touches the plane at a later time, from values with at most
+// the given errors; r is exact. Unknown if the doubles leave it open or say little.
 //
 // u = 2^-52, in any rounding mode, contracted or not. gap = |w·n| - r|n| is off by error_height + r error_length and
 // the roundings of r|n| and of the difference, u r|n| + u gap. The quotient t̂ is checked: |t̂ |u·n| - gap| <= 2^-50 gap.
@@ -31,10 +31,10 @@ namespace graze::inline v0_1::detail {
     }
     const double off = error_height + r * error_length + 0x1p-52 * reach + time * error_speed;
     const enclosure found{time, 1.5 * off * per_rate + 0x1p-47 * time};
-    return found.error < 0x1p-10 * time ? found : enclosure{}; // worse near contact
+    return found.error < 0x1p-10 * time ? found : enclosure{}; // near contact it would be too wide
 }
 
-// The same for a ball that does not touch now but certainly will, from what is known of the plane.
+// The same for a ball that certainly touches later but not now, from the numbers known of the plane.
 template <int N, class T>
 [[nodiscard]] inline enclosure enclose_touch(const filtered_plane<N, T>& f) noexcept {
     const double length = plain_sqrt(f.square);
@@ -63,7 +63,7 @@ template <int N, class T>
     return {time, 1.5 * (error_c + time * error_root / root) / denominator + 0x1p-45 * time};
 }
 
-// For a certain hit on a feature.
+// The enclosure for a certain hit on a feature.
 template <int N, class T>
 [[nodiscard]] inline enclosure enclose_hit(const filtered_flat<N, T>& f, const flat_way<N, double>& way,
                                            const flat_answer& found) noexcept {
@@ -88,7 +88,7 @@ template <int N, class T>
                         judge.error(corner_h{}, x), judge.error(corner_discriminant{}, x));
 }
 
-// The same for a hit of which doubles were not certain: around the time after one step from theirs.
+// For a hit of which doubles were not certain: an enclosure around the time after one step from theirs.
 template <int N, class T, class Shape>
 [[nodiscard, gnu::noinline]] enclosure enclose_by_step(const ball<N, T>& b, const Shape& w,
                                                        const flat_answer& found) noexcept {

@@ -15,10 +15,10 @@
 
 namespace graze::inline v0_1::detail {
 
-// near - error <= τ <= near + error, as these are computed in any rounding mode. An unknown error is the largest
-// double, and τ may then be beyond. No finite time in T is above that; an infinity would be no value at all under
-// -ffast-math. An error that is neither 0 nor unknown is larger than necessary by 2^-50 of near + error: by more than
-// all roundings of these sums and of is_apart_from.
+// near - error <= τ <= near + error, with these ends as computed in any rounding mode. An unknown error is the largest
+// double, and τ may then lie beyond. No finite time in T does; an infinity would be no value at all under -ffast-math.
+// An error that is neither 0 nor unknown is larger than necessary by 2^-50 of near + error, and so by more than all
+// roundings of these sums and of is_apart_from.
 struct enclosure {
     static constexpr double unknown = std::numeric_limits<double>::max();
 
@@ -26,13 +26,13 @@ struct enclosure {
     double error = unknown;
 
     [[nodiscard]] constexpr bool is_known() const noexcept { return error < unknown; }
-    // Whether it is one number.
+    // Whether it is a single number.
     [[nodiscard]] constexpr bool is_point() const noexcept { return bits_of(error) == 0; }
     [[nodiscard]] constexpr double lower() const noexcept { return as_stored(near - error); }
     [[nodiscard]] constexpr double upper() const noexcept { return as_stored(near + error); }
 
-    // Whether no number lies in both; their times then have the order of their nears. It takes half the additions of a
-    // comparison of ends: |difference| - error, each right to 2^-52 of the larger near.
+    // Whether no number lies in both. Then the times have the order of their nears. It takes half the additions of
+    // comparing ends: |difference| - error, each right to 2^-52 of the larger near.
     [[nodiscard]] constexpr bool is_apart_from(const enclosure& y) const noexcept {
         const double difference = as_stored(near - y.near);
         const double distance = !std::is_constant_evaluated() ? std::fabs(difference)
@@ -92,8 +92,8 @@ struct enclosure {
     return {time, 1.25 * ((error_c + of_root) * inverse_or_more(denominator)) + 0x1p-45 * time};
 }
 
-// start + τ, τ in the enclosure given. A sum is off by at most 2^-52 of itself in any rounding mode, and by what a mode
-// makes zero where it is subnormal, as it does with a start, a subnormal T.
+// start + τ, with τ in the given enclosure. In any rounding mode a sum is off by at most 2^-52 of itself, and by what a
+// mode turns into 0 if it is subnormal, as it does with a start that is a subnormal T.
 template <class T>
 [[nodiscard]] inline enclosure counted_from(double start, const enclosure& e) noexcept {
     constexpr double flushed = std::is_same_v<T, float> ? 0x1p-124 : 0x1p-1020;

@@ -34,8 +34,8 @@ template <class Shape, class Found>
 }
 
 // The packed row of a pair, then the epochs of its flights; the rest of the array is not used. The feature of a wall or
-// a triangle is its index, for an edge the edge_number. An event at its start (overlap) is of a pair that overlaps or
-// touches then.
+// a triangle is given by its index, for an edge by the edge_number. An event at its start (overlap) is of a pair that
+// overlaps or touches then.
 template <int N, class T>
 struct event {
     template <class P>
@@ -49,10 +49,10 @@ struct event {
     event_kind kind;
     std::int8_t index;
     bool overlap;
-    bool timed;   // whether it is of flights, and has epochs
+    bool timed;   // whether it is of flights, which have epochs
     bool nearest; // whether the enclosure of the time is around the number that it is rounded to
 
-    // x: a ball or a flight; y: another one, or what stands still.
+    // x: a ball or a flight; y: another one, or a plane, a wall or a triangle.
     template <class P, class X, class Y>
     constexpr event(P, const X& x, const Y& y, event_kind what, int which, bool inside, bool known = false) noexcept
         : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside), timed(is_flight<X>), nearest(known) {
@@ -66,7 +66,7 @@ struct event {
         }
     }
 
-    // The epochs of the pair's two things, as those of a pair kind P: a plane or wall has the other's epoch.
+    // The epochs of the pair's two things as pair kind P takes them: a plane or wall has the epoch of the other.
     template <class P>
     [[nodiscard]] constexpr std::array<T, 2> since(P) const noexcept {
         if constexpr (std::floating_point<T>) {
@@ -84,7 +84,7 @@ struct event {
     }
 };
 
-// f(P{}) with an event's pair kind P.
+// f(P{}) with the event's pair kind P.
 template <int N, class F>
 [[nodiscard]] constexpr auto with_pair(event_kind kind, F f) {
     return kind == event_kind::balls   ? f(two_balls<N>{})
@@ -92,7 +92,7 @@ template <int N, class F>
                                        : f(ball_and_wall<N>{});
 }
 
-// use(q) with the quadratic of an event of pair kind P from its motion.
+// use(q) with the quadratic of an event of pair kind P, from its motion.
 template <int N, class P, class M, class F>
 [[nodiscard]] constexpr auto with_quadratic(event_kind kind, int index, const M& m, F use) {
     if constexpr (std::is_same_v<P, ball_and_wall<N>>) {

@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// use(inputs, P) with an event's inputs, not yet lifted. A ball is a flight since 0.
+// use(inputs, P) with an event's inputs before lifting. A ball is a flight since 0.
 template <int N, class T, class F>
 [[nodiscard]] constexpr auto with_timed_inputs(const event<N, T>& e, F use) {
     return with_pair<N>(e.kind, [&]<class P>(P pair) { return use(lift_timed<P>(e.row, e.since(pair)), pair); });
@@ -30,7 +30,7 @@ template <int N, class P, class F>
     }
 }
 
-// Times that count from the instant of the positions: a way (speed times time) as it is.
+// Times count from the instant of the positions, so a way (speed times time) stays as it is.
 struct from_now {
     template <class W, class S>
     [[nodiscard]] constexpr const W& operator()(const W& way, const S&) const noexcept {
@@ -38,7 +38,7 @@ struct from_now {
     }
     [[nodiscard]] constexpr bool is_now() const noexcept { return true; }
 };
-// Times that count from an instant earlier by `start`.
+// Times count from an instant that is earlier by `start`.
 template <class I>
 struct from_earlier {
     I start;
@@ -49,8 +49,8 @@ struct from_earlier {
     [[nodiscard]] constexpr bool is_now() const noexcept { return graze::sign(start) == 0; }
 };
 
-// f(P, motion, from, unit) with an event's exact motion at its start, from which instant its times count, and the
-// exponent of their unit: in integers of one limb, where balls' inputs fit them, else of any size.
+// f(P, motion, from, unit) with an event's exact motion at its start, the instant from which its times count, and the
+// exponent of their unit: in integers of one limb if balls' inputs fit, otherwise of any size.
 template <int N, class T, class F>
 [[nodiscard]] constexpr auto with_exact_event(const event<N, T>& e, F f) {
     return with_timed_inputs(e, [&]<class In, class P>(In in, P pair) {
@@ -85,7 +85,7 @@ template <int N, class T>
     });
 }
 
-// The same sign for two pairs of balls whose inputs fit in one limb; false where they don't.
+// The same sign for two pairs of balls whose inputs fit in one limb; false if they do not.
 template <int N, class T>
 [[nodiscard]] constexpr bool compare_narrow(const event<N, T>& x, const event<N, T>& y, int& sign) {
     if (x.kind != event_kind::balls || y.kind != event_kind::balls || x.timed || y.timed) {
@@ -118,7 +118,7 @@ template <int N, class T>
     return root_order{}(quadratic_in(x, unit, room), quadratic_in(y, unit, room));
 }
 
-// The sign of τ(x) - m, m finite. m = M 2^j in the event's unit of time.
+// The sign of τ(x) - m for a finite m. In the event's unit of time, m = M 2^j.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const binary& m) {
     const int unit = unit_of(x);

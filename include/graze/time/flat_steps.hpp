@@ -1,8 +1,8 @@
 // When a ball touches a plane, a face, an edge or a corner, as a sum of two doubles with an error: one Newton step from
 // a time in doubles, with the residual from error-free transforms.
 //
-// The bound of what parts_vector.hpp loses is 2^-97 of the sizes, of a face 2^-98, which proofs/contact/flat_steps.cpp
-// shows to be enough.
+// What parts_vector.hpp loses is bounded by 2^-97 of the sizes, for a face by 2^-98. proofs/contact/flat_steps.cpp
+// shows that this is enough.
 #pragma once
 
 #include <graze/machine/fence.hpp>
@@ -13,7 +13,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// A time high + low; nothing is known unless good.
+// A time high + low. If not good, nothing is known of it.
 struct flat_time {
     double high, low, error;
     bool good;
@@ -21,8 +21,8 @@ struct flat_time {
     [[nodiscard]] bounded<double> bounds() const noexcept { return {high, low, error}; }
 };
 
-// t + rest/rate, rest to an error of at most `off`, the rate to a part `spread` of it. per_rate: 1/rate. No step is
-// taken that is not below `longest` of t.
+// t + rest/rate, where rest has an error of at most `off`, and rate is right to a part `spread` of it. per_rate:
+// 1/rate. Not good unless the step is below `longest` of t.
 [[nodiscard, gnu::always_inline]] inline flat_time stepped(double t, double rest, double off, double per_rate,
                                                            double spread, double longest) noexcept {
     const double step = rest * per_rate;

@@ -10,13 +10,13 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether sizes are so moderate that their products neither over- nor underflow.
+// Whether sizes are moderate enough for their products neither to over- nor underflow.
 template <class... S>
 [[nodiscard, gnu::always_inline]] inline bool are_moderate(const S&... size) noexcept {
     return (within_powers<-100, 100>(size) & ...);
 }
 
-// The pair, in doubles: a plane has its normal in the place of the first edge.
+// The pair in doubles. For a plane, the normal stands in place of the first edge.
 template <int N>
 struct flat_row {
     vec<N, double> x, corner, u;
@@ -62,14 +62,14 @@ template <bool Fused, int N>
     }
 }
 
-// The direction of an edge by its number.
+// The direction of the edge of this number.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> edge_in_parts(const flat_row<N>& f, int number) noexcept {
     return number == slanted_edge ? difference_in_parts<N>(f.edge[1], f.edge[0])
                                   : exact_components<N>(number >= 2 ? f.edge[0] : f.edge[1]);
 }
 
-// The centre from corner i of the wall.
+// The centre relative to corner i of the wall.
 template <int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> centre_in_parts(const flat_row<N>& f, int corner) noexcept {
     auto from = difference_in_parts<N>(f.x, f.corner);
@@ -81,7 +81,7 @@ template <int N>
     return from;
 }
 
-// For a hit near `time`.
+// The time of a hit near `time`.
 template <int N, class T>
 struct flat_time_near {
     const event<N, T>* e;
@@ -97,7 +97,7 @@ struct flat_time_near {
         for (int i = 0; i < N; ++i) {
             speed += absolute(f.u[i]);
         }
-        // size: of the normal or the direction, where there is one.
+        // size: of the normal or the direction, if there is one.
         const auto checked = [&](const flat_time& t, double size) noexcept {
             return flat_time{t.high, t.low, t.error,
                              all_hold(t.good, are_moderate(from.size() + f.r, speed, size, time))};
@@ -116,7 +116,7 @@ struct flat_time_near {
     }
 };
 
-// The same, for this machine.
+// The same as compiled for this machine.
 template <int N, class T>
 [[nodiscard]] flat_time flat_time_in_doubles(const event<N, T>& e, double time) noexcept {
     return with_best_products(flat_time_near<N, T>{&e, time});

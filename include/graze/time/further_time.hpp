@@ -10,8 +10,8 @@
 
 namespace graze::inline v0_1::detail {
 
-// The encounter of two movers, `undecided` if it is still open, and the stage that decided it. For a hit: its time in
-// units of 2^unit, if good; otherwise an enclosure of its time in the units given, if one is known.
+// The encounter of two movers, `undecided` if still open, and the stage that decided it. For a hit also its time in
+// units of 2^unit, if good; otherwise an enclosure of its time in the given units, if one is known.
 struct further_time {
     int what = undecided;
     stage decided_by = stage::exact;
@@ -19,7 +19,7 @@ struct further_time {
     bounded<double> time{};
     int unit = 0;
     enclosure bounds{};
-    bool in_range = true; // the range of double words
+    bool in_range = true; // whether double words have the range
 };
 
 template <int N>
@@ -39,7 +39,7 @@ struct approach_in_words {
     }
 };
 
-// For movers in range, in doubles.
+// In doubles, for movers in range.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool refine_time(further_time& r, const B& a, const B& b) noexcept {
     return with_sizes_at_start<inputs_in_doubles>(
@@ -98,7 +98,7 @@ template <class F>
     r.time = found.time;
     return found.good;
 }
-// For movers in range of which the filter is certain.
+// For movers in range, if the filter is certain of them.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool filter_time(further_time& r, const B& a, const B& b) noexcept {
     const auto filtered = start_filter(a, b).finish();
@@ -130,7 +130,7 @@ template <moving B>
 // only the time is asked for.
 enum class tried { filter, step, time };
 
-// By steps and words, scaled where that is needed, to nearest.
+// By steps and words, scaled if necessary; needs rounding to nearest.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline further_time time_by_words(const B& a, const B& b, bool is_usual,
                                                                     tried before) noexcept {

@@ -10,7 +10,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Numbers of a row as pair kinds take them.
+// A row's numbers in the form that pair kinds take.
 template <class T>
 struct bounded_group {
     const T* first;
@@ -40,7 +40,7 @@ template <int N, class T>
     return P::template motion<bounded_word>(bounded_row<P, T>(row));
 }
 
-// For a hit on a plane or a face: (33) completed.
+// The time of a hit on a plane or a face: (33) completed.
 template <class M>
 [[nodiscard]] bounded_word face_time(const M& m) noexcept {
     const bounded_word height = plane_height{}(m);
@@ -50,25 +50,25 @@ template <class M>
     return plane_touch_time{}(height, plane_speed{}(m), m.r * sqrt(graze::squared_norm(m.n)));
 }
 
-// For a hit, by the quadratic of an edge or a corner and its discriminant.
+// The time of a hit, from the quadratic of an edge or a corner and its discriminant.
 [[nodiscard]] inline bounded_word root_time(const quadratic<bounded_word, bounded_word, bounded_word>& q,
                                             const bounded_word& discriminant) noexcept {
     return root_stable{}(q.c, q.h, sqrt(discriminant));
 }
 
-// m: seen from the view in which the edge is the edge λ_0 = 0.
+// m: as seen from where the edge is the edge λ_0 = 0.
 template <class M>
 [[nodiscard]] bounded_word edge_time(const M& m) noexcept {
     return root_time(edge_quadratic(m), edge_discriminant{}(m));
 }
-// m: seen from the corner.
+// m: as seen from the corner.
 template <class M>
 [[nodiscard]] bounded_word corner_time(const M& m) noexcept {
     const auto relative = corner_motion(m);
     return root_time(quadratic_of(relative), discriminant_lagrange{}(relative));
 }
 
-// For an event that is a hit on a plane or a wall.
+// The time of an event that is a hit on a plane or a wall.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] bounded_word hit_time(const event<N, T>& e) noexcept {
     if (e.kind == event_kind::plane) {

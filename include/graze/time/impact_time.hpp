@@ -42,7 +42,7 @@ class impact_time {
         return x.compare(y) == 0;
     }
 
-    // Against a time in any of these types, exactly: neither side is rounded. Unordered with NaN.
+    // Compares with a time in any of these types, exactly: neither side is rounded. Unordered with NaN.
     template <detail::time_number U>
     [[nodiscard]] friend constexpr std::partial_ordering operator<=>(const impact_time& x, const U& time) {
         return detail::compare_with_number(x.event_, x.bounds(), time);
@@ -68,14 +68,14 @@ class impact_time {
         return detail::compare_exactly(event_, y.event_);
     }
 
-    // The type to which a time is rounded: T, and double where T is an integer type.
+    // The type to which a time is rounded: T, or double if T is an integer type.
     using rounded_type = std::conditional_t<std::is_floating_point_v<T>, T, double>;
 
     // The nearest number, ties to even; beyond the largest one, an infinity.
     [[nodiscard, gnu::always_inline]] explicit constexpr operator rounded_type() const {
         return detail::round_time<rounded_type>(event_, bounds(), rounding::nearest);
     }
-    // The largest number that is not later, and the smallest that is not earlier.
+    // The largest number that is not later, and the smallest number that is not earlier.
     [[nodiscard]] constexpr rounded_type lower() const {
         return detail::round_time<rounded_type>(event_, bounds(), rounding::downward);
     }
@@ -86,7 +86,7 @@ class impact_time {
     // A double near the time, at no cost: for reports, not for decisions. In a constant expression 0.
     [[nodiscard]] constexpr double about() const noexcept { return near_; }
 
-    // Two doubles between which it lies, at no cost. In a constant expression they tell nothing.
+    // Two doubles between which it lies, at no cost. In a constant expression they say nothing.
     [[nodiscard]] constexpr detail::enclosure enclosure() const noexcept { return bounds(); }
 
     // For time_of_impact: the arguments of an event's constructor, and its enclosure.
@@ -97,7 +97,7 @@ class impact_time {
   private:
     [[nodiscard]] constexpr detail::enclosure bounds() const noexcept { return {near_, error_}; }
 
-    // Kept apart: a compiler would store neighbours together, and a conversion that needs one would wait for both.
+    // Not next to near_: a compiler would store both together, and a conversion that needs one would wait for both.
     double error_;
     detail::event<N, T> event_;
     double near_;

@@ -13,7 +13,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// Times that need no arithmetic: 0 for an overlap, +infinity for pairs that never touch. For a hit, a time near the
+// Times that take no arithmetic: 0 for an overlap, +infinity for pairs that never touch. For a hit, a time near the
 // exact one.
 template <class V>
 struct lane_times {
@@ -34,7 +34,7 @@ template <int N, class V>
     r.hits = bits_of(hit) & ~r.open;
     const mask infinity = mask::filled(static_cast<typename mask::integer>(format_of<T>.infinite_bits()));
     mask time = never & infinity;
-    if constexpr (std::is_same_v<T, double>) { // of floats in doubles later
+    if constexpr (std::is_same_v<T, double>) { // floats are done in doubles later
         // Lanes without a hit get numbers that neither divide by zero nor give a NaN.
         const V d = V::of(hit & lane.discriminant.bits()), h = chosen(hit, lane.q.h, V(-1));
         time = time | (hit & root_stable{}(lane.q.c, h, plain_sqrt(d)).bits());
@@ -50,7 +50,7 @@ struct certain_lanes {
     unsigned certain;
 };
 
-// x rounded to double; as certainly_rounded does.
+// x rounded to double, as certainly_rounded does it.
 template <class V>
 [[nodiscard, gnu::always_inline]] inline certain_lanes<V> rounded_lanes(const bounded<V>& x, rounding mode) noexcept {
     using mask = typename V::mask;
@@ -67,7 +67,7 @@ template <class V>
     return {V::of(bits), bits_of(certain)};
 }
 
-// The motion of two balls as approach_near takes it.
+// The motion of two balls in the form that approach_near takes.
 template <int N, class V>
 [[nodiscard, gnu::always_inline]] inline motion_side_by_side<two_packs<V>> side_by_side(const ball<N, V>& a,
                                                                                         const ball<N, V>& b) noexcept {
@@ -87,7 +87,7 @@ template <int N, class V>
             two(difference(a.velocity[0], b.velocity[0]), difference(a.velocity[1], b.velocity[1])), two(none, u2)};
 }
 
-// When two balls of doubles meet that do so near `time`: rounded to nearest, or whichever way.
+// When two balls of doubles that meet near `time` do meet, rounded to nearest or in another mode.
 template <bool Fused, int N, class V>
 [[nodiscard, gnu::always_inline]] inline certain_lanes<V> impact_lanes(const ball<N, V>& a, const ball<N, V>& b,
                                                                        const V& time, rounding mode) noexcept {
@@ -100,14 +100,14 @@ template <bool Fused, int N, class V>
     return {found.value, found.certain & bits_of(step.good)};
 }
 
-// Where an exact number is, and the lanes in which that is certain.
+// The bounds of an exact number, and the lanes in which they are certain.
 template <class V>
 struct enclosed_lanes {
     V lower, upper;
     unsigned certain;
 };
 
-// When two balls of floats, which are given as doubles, meet: they do, to be certain. As time_of_impact encloses it.
+// When two balls of floats, given as doubles, meet, as time_of_impact encloses it. They must certainly meet.
 template <int N, class V>
 [[nodiscard, gnu::always_inline]] inline enclosed_lanes<V> enclose_lanes(const ball<N, V>& a,
                                                                          const ball<N, V>& b) noexcept {
@@ -127,7 +127,7 @@ template <int N, class V>
     return {time - off, time + off, bits_of(certain)};
 }
 
-// x rounded, where doubles are rounded to nearest and subnormals kept.
+// x rounded; needs doubles that round to nearest and keep subnormals.
 [[nodiscard]] inline float rounded_to_float(double x, rounding mode) noexcept {
     const float nearest = static_cast<float>(x);
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(nearest);

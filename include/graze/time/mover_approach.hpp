@@ -55,7 +55,7 @@ template <bool Fused, int N, class T>
     lane_movers r;
     r.motion = lane_motion_of(a.state, b.state);
     const double radius = r.motion.xR2.value[0];
-    double way2 = 0; // with R² twice
+    double way2 = 0; // includes R² twice
     r.motion.x01 = moved<Fused>(r.motion.x01, first_two(u), lead, way2);
     const double third = N == 3 ? static_cast<double>(as_stored(u[N - 1])) : 0.0;
     r.motion.xR2 = moved<Fused>(r.motion.xR2, lanes{0, third}, lead, way2);
@@ -67,7 +67,7 @@ template <bool Fused, int N, class T>
     return r;
 }
 
-// A time from the start, on the clock. If the start was scaled before, its loss is below 2^-1000.
+// A time since the start, on the clock. If the start was scaled before, it lost less than 2^-1000.
 [[nodiscard, gnu::always_inline]] inline bounded<double> on_clock(double start, const bounded<double>& time) noexcept {
     const auto sum = two_sum(start, time.high);
     return {sum.value, sum.error + time.low, (1 + 0x1p-40) * time.error + (0x1p-104 * absolute(sum.value) + 0x1p-1000)};
@@ -84,7 +84,7 @@ template <moving B>
     }
 }
 
-// When two movers meet, at about `near` from their start; nothing is known unless good.
+// When two movers meet, near `near` from their start. If not good, nothing is known.
 struct time_in_doubles {
     bounded<double> time;
     bool good;
@@ -102,8 +102,8 @@ struct time_by_doubles {
     }
 };
 
-// The same for two balls whose lengths and velocities are multiplied by powers of two, with `near` and the time in
-// those units.
+// The same for two balls whose lengths and velocities are multiplied by powers of two. `near` and the time are in those
+// units.
 template <int N>
 struct time_of_scaled {
     const ball<N, double>*a, *b;

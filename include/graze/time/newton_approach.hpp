@@ -19,15 +19,15 @@
 
 namespace graze::inline v0_1::detail {
 
-// Δx with R in a lane of its own; Δu. Each is value + error, exactly: |error| <= u |value|. L: two numbers side by
-// side, which are doubles, or packs with a pair of balls in each of their lanes.
+// Δx, with R in a lane of its own, and Δu. Each is exactly value + error with |error| <= u |value|. L: two numbers side
+// by side, which are doubles, or packs with a pair of balls in each lane.
 template <class L>
 struct motion_side_by_side {
     exact_pair<L> x01, xR2, u01, u_2;
 };
 using lane_motion = motion_side_by_side<lanes>;
 
-// From where the numbers of two balls start.
+// The motion of two balls, from pointers to their numbers.
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] inline lane_motion lane_motion_of(const T* x_a, const T* x_b, const T* u_a,
                                                                     const T* u_b, const T& r_a, const T& r_b) noexcept {
@@ -51,7 +51,7 @@ template <bool Fused, class V = lanes>
 struct lane_displacement {
     factor<V, Fused> high; // yh
     V low;                 // yl: y = yh + yl
-    factor<V, Fused> du;   // Δu's value
+    factor<V, Fused> du;   // the value of Δu
 };
 
 // With m = |Δx| + |Δu| t0 lane by lane, of values: |yl| <= 3.02 u m, and the error of yh + yl is at most 7.01 u² m: the
@@ -66,7 +66,7 @@ displacement(const exact_pair<V>& dx, const exact_pair<V>& du, const factor<V, F
     return {as_factor<Fused>(sum.value), sum.error + (way.error + (dx.error + du.error * t0.value)), speed};
 }
 
-// |y|² - R², y2's first lane R, in two lanes of a value and a low part each; but for the squares of low parts.
+// |y|² - R², with R in y2's first lane, as a value and a low part in each of two lanes, less the squares of low parts.
 template <bool Fused, class V>
 [[nodiscard, gnu::always_inline]] constexpr inline exact_pair<V>
 distance_residual(const lane_displacement<Fused, V>& y01, const lane_displacement<Fused, V>& yR2) noexcept {
@@ -80,13 +80,13 @@ distance_residual(const lane_displacement<Fused, V>& y01, const lane_displacemen
     return {sum.value, sum.error + (low_terms(y01, square01) + less_R * low_terms(yR2, squareR2))};
 }
 
-// One of two numbers side by side; and what holds of it.
+// One of two numbers side by side, and a condition on it.
 template <class L>
 using number_of = std::remove_cvref_t<decltype(std::declval<const L&>()[0])>;
 template <class L>
 using condition_of = std::remove_cvref_t<decltype(std::declval<number_of<L>>() < std::declval<number_of<L>>())>;
 
-// Whether all of them hold, without a branch for each.
+// Whether all conditions hold, without a branch for each.
 template <class... B>
 [[nodiscard, gnu::always_inline]] inline auto hold_together(B... conditions) noexcept {
     if constexpr ((std::is_same_v<B, bool> && ...)) {
@@ -96,7 +96,7 @@ template <class... B>
     }
 }
 
-// What a step from t0 gives; see newton_approach.
+// The result of a step from t0; see newton_approach.
 template <class L>
 struct newton_step {
     number_of<L> t1, error, sensitivity, per_time;
@@ -112,7 +112,7 @@ struct newton_approach {
     double t1;
     double error;
     double sensitivity; // γ >= (L V/σ)²
-    double per_time;    // a/σ: what an error of the time is to σ, relatively
+    double per_time;    // a/σ: the relative error of σ for an error of the time
     bool good;          // whether the time is known
     bool sharp;         // whether it is close enough for the bounds of a contact
 

@@ -1,4 +1,4 @@
-// Numbers and vectors as sums of two doubles, and of each the sizes that bound what its computation loses.
+// Numbers and vectors as sums of two doubles, each with the sizes that bound what its computation loses.
 //
 // u = 2^-53, doubles rounded to nearest. A number in parts is value + error. Only low parts are rounded, each at most a
 // few u of the sizes that are added up on the way. So all roundings and the products of two low parts come to some tens
@@ -11,7 +11,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// A vector in parts, and of each component the sum of the magnitudes of what it was added up from.
+// A vector in parts, and for each component the sum of the magnitudes that it was added up from.
 template <int N>
 struct parts_vector {
     exact_pair<double> component[N];
@@ -28,7 +28,7 @@ struct parts_vector {
         return sum;
     }
 };
-// f(i): a component and its size.
+// f(i) gives a component and its size.
 struct sized_pair {
     exact_pair<double> value;
     double size;
@@ -66,7 +66,7 @@ template <int N>
     });
 }
 
-// x y, its low part to a few u² of the sizes.
+// x y, with the low part right to a few u² of the sizes.
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline exact_pair<double> product_in_parts(const exact_pair<double>& x,
                                                                              const exact_pair<double>& y) noexcept {
@@ -111,7 +111,7 @@ template <int N>
     return sum;
 }
 
-// from + u t: the centre seen from a point, from which it is at `from` at t = 0.
+// from + u t: the centre relative to a point, where `from` is that at t = 0.
 template <bool Fused, int N>
 [[nodiscard, gnu::always_inline]] inline parts_vector<N> moved(const parts_vector<N>& from, const vec<N, double>& u,
                                                                double t) noexcept {

@@ -1,4 +1,4 @@
-// An event's time rounded by doubles alone, where these leave no doubt.
+// An event's time rounded by doubles alone, if they leave no doubt.
 #pragma once
 
 #include <graze/exact/rounding.hpp>
@@ -12,7 +12,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// When two balls meet, near `time`, from their row.
+// When two balls meet near `time`, from their row.
 template <int N, class U>
 struct time_of_row {
     const U* row;
@@ -51,7 +51,7 @@ struct hard_time_of_row : time_of_row<N, U> {
     }
 };
 
-// The time of a hit on a plane or a wall that is near `time` from its start. Not inlined, so that the time of balls is.
+// The time of a hit on a plane or a wall near `time` from its start. Not inlined, so that balls' times can be.
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] certain_number<T> round_hit_in_doubles(const event<N, U>& e, double time,
                                                                     rounding mode) noexcept {
@@ -70,11 +70,11 @@ template <class T, int N, class U>
     return absolute(found.high) > 0x1p-500 ? rounded(found) : certain_number<T>{};
 }
 
-// Whether doubles are tried at all: the inputs are doubles or numbers that doubles hold exactly.
+// Whether doubles are tried at all: the inputs are doubles, or numbers that doubles hold exactly.
 template <class U>
 inline constexpr bool is_rounded_by_doubles = has_error_free_doubles && !std::is_same_v<U, std::int64_t>;
 
-// time: near that of the event, which is not an overlap.
+// time: near that of the event, which must not be an overlap.
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] certain_number<T> round_in_doubles(const event<N, U>& e, double time,
                                                                 rounding mode) noexcept {

@@ -9,7 +9,7 @@
 
 namespace graze::inline v0_1::detail {
 
-// The integers that the numbers p + q√d of a lifted motion consist of.
+// The integers that make up the numbers p + q√d of a lifted motion.
 template <class M>
 [[nodiscard]] constexpr auto root_sum_integer_of(const M& m) noexcept {
     if constexpr (requires { m.R; }) {
@@ -35,18 +35,18 @@ template <class T, class Z, class Q>
     return round_to_by_norm<T>(-q.h, Z(-1), discriminant, q.a, q.c, unit, mode);
 }
 
-// When a ball that approaches a plane touches it, (33) completed: (|w·n| - r √(n·n))/|u·n|.
+// When an approaching ball touches a plane, (33) completed: (|w·n| - r √(n·n))/|u·n|.
 template <class T, class Z, class M, class From = from_now>
 [[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<Z>& normal, int unit,
                                            rounding mode = rounding::nearest, const From& counted = {}) {
     const auto height = plane_height{}(m);
-    const auto other = plane_speed{}(m); // of the other sign
+    const auto other = plane_speed{}(m); // of the opposite sign
     const bool below = graze::sign(height) < 0;
     const auto speed = below ? other : -other;
     return round_to<T>(counted(below ? -height : height, speed), -m.r, normal, speed, unit, mode);
 }
 
-// The same for the centres' distance: balls, or a ball and a corner.
+// The same for the distance of two centres, or of a centre and a corner.
 template <class T, class M, class From = from_now>
 [[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
     const auto q = quadratic_of(m);
@@ -55,7 +55,7 @@ template <class T, class M, class From = from_now>
                             : round_root<T>(q.a, q.h, d, unit, mode, counted);
 }
 
-// For an event of a wall.
+// The time of an event of a wall.
 template <class T, int N, class M, class From = from_now>
 [[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode,
                                           const From& counted = {}) {
@@ -74,7 +74,7 @@ template <class T, int N, class M, class From = from_now>
     return round_approach_time<T>(corner_motion(seen_from(m, wall_view{index, false})), unit, mode, counted);
 }
 
-// For a pair of kind P.
+// The time of a pair of kind P.
 template <class T, int N, class P, class M, class From = from_now>
 [[nodiscard]] constexpr T round_pair_time(event_kind kind, int index, const M& m, int unit, rounding mode,
                                           const From& counted = {}) {
@@ -88,7 +88,7 @@ template <class T, int N, class P, class M, class From = from_now>
     }
 }
 
-// The time of an event that is after its start, from its inputs.
+// The time of an event after its start, from its inputs.
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] constexpr T round_exactly(const event<N, U>& e, rounding mode) {
     return with_exact_event(e, [&]<class P>(P, const auto& m, const auto& counted, int unit) {
@@ -96,7 +96,7 @@ template <class T, int N, class U>
     });
 }
 
-// A mover of an event of two.
+// A mover of an event of two movers.
 template <moving B, int N, class U>
 [[nodiscard]] constexpr B mover_in(const event<N, U>& e, std::size_t which) noexcept {
     if constexpr (is_flight<B>) {
@@ -112,7 +112,7 @@ template <moving B, int N, class U>
     }
 }
 
-// The time of two movers by doubles and double words, and by integers where they leave a doubt.
+// The time of two movers by doubles and double words, and by integers if these leave it open.
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] T round_further(const event<N, U>& e, rounding mode) {
     if constexpr (std::is_floating_point_v<U>) {
@@ -168,7 +168,7 @@ template <class T>
     return round_estimate<T>(exact, mode, [](std::uint64_t, int) { return 0; });
 }
 
-// The time of an event in the enclosure: where both ends are rounded to the same number, so is it.
+// The time of an event in the enclosure: if both ends round to the same number, so does the time.
 template <class T, int N, class U>
 [[nodiscard, gnu::always_inline]] constexpr inline T round_time(const event<N, U>& e, const enclosure& bounds,
                                                                 rounding mode) {

@@ -51,7 +51,7 @@ template <class T>
     return {nearest, !doubtful};
 }
 
-// x 2^scale rounded to nearest, by one comparison of its ends where both x and the result are normal numbers of T; for
+// x 2^scale rounded to nearest, by one comparison of its ends, if both x and the result are normal numbers of T; for
 // floats only if nothing is scaled.
 template <class T>
 [[nodiscard]] inline certain_number<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {

@@ -1,4 +1,4 @@
-// D where so much of it cancels that double words keep too little of it: for the root of two movers that nearly graze.
+// D where it cancels so much that double words keep too little of it: for the root of two movers that nearly graze.
 #pragma once
 
 #include <graze/formula/relative_motion.hpp>
@@ -25,7 +25,7 @@ struct term_list {
         append(x.value);
         append(x.error);
     }
-    // As three doubles, each small beside the one before.
+    // The sum as three doubles, each small relative to the one before.
     [[nodiscard, gnu::noinline]] constexpr vec<3, double> sum() const noexcept {
         accurate_sum<false> all;
         for (int i = 0; i < count; ++i) {
@@ -37,7 +37,7 @@ struct term_list {
     }
 };
 
-// A motion in double words; all its numbers are exact.
+// A motion in double words, all of whose numbers are exact.
 template <int N>
 struct motion_in_words {
     vec<N, exact_pair<double>> dx, du;

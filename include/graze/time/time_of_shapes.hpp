@@ -11,7 +11,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// The time of an event with the enclosure that its exact quadratic gives.
+// An event's time, with the enclosure from its exact quadratic.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr impact_time<N, T> enclosed_exactly(event<N, T> e) {
     constexpr impact_time_key key{};
@@ -36,7 +36,7 @@ using time_of_movers = impact_time<dimension_of<B>, number_in<B>>;
 template <moving B>
 using event_of_movers = event<dimension_of<B>, number_in<B>>;
 
-// The time of two movers, made where it is returned. nearest: as in an event.
+// The time of two movers, constructed where it is returned. nearest: as in an event.
 template <moving B>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>>
 time_within(const enclosure& bounds, const B& a, const B& b, bool overlap, bool nearest = false) {
@@ -44,14 +44,14 @@ time_within(const enclosure& bounds, const B& a, const B& b, bool overlap, bool 
                                             b, event_kind::balls, 0, overlap, nearest);
 }
 
-// For two movers that overlap, at their start.
+// For two movers that overlap: their start.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_overlap(const B& a, const B& b) {
     const auto start = static_cast<double>(start_of(epochs_of(a, b)));
     return time_within(enclosure{start, 0}, a, b, true);
 }
 
-// The time of two movers by integers.
+// The time of two movers, by integers.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_impact_exactly(const B& a, const B& b) {
     const encounter what = classify_exactly(a, b);
@@ -180,7 +180,7 @@ template <moving B, class Observer>
         if (const auto f = started.finish(); f.certain) {
             observer(stage::filter);
             const encounter what = f.what();
-            if (!is_collision(what)) { // parting balls too: on x87 they may be certain only now
+            if (!is_collision(what)) { // also parting balls: on x87 they may become certain only now
                 return std::nullopt;
             }
             if (what == encounter::overlap) {

@@ -11,7 +11,7 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// The time of an event of which nothing else is known: by double words, or by its exact quadratic.
+// The time of an event about which nothing else is known: by double words, or by its exact quadratic.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr impact_time<N, T> enclosed_slowly(const event<N, T>& e, encounter what) {
     if constexpr (is_rounded_by_doubles<T>) {

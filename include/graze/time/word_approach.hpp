@@ -1,4 +1,4 @@
-// When two movers meet, in double words with a proven error, however much cancels, ties excepted.
+// When two movers meet, in double words with a proven error, however much cancels, except for ties.
 //
 // u = 2^-53, doubles to nearest. What sums and products lose comes from word_rounding; errors are upper bounds, with
 // room for the roundings of their own expressions.
@@ -32,14 +32,14 @@ difference_of_products(const loose_word<Fused>& a, const loose_word<Fused>& b, c
                        (0x1p-104 * std::fabs(value.high) + 0x1p-154 * (std::fabs(p.value) + std::fabs(q.value)))};
 }
 
-// Δx × Δu, and the sum of what its components can be off by.
+// Δx × Δu, and the sum of the errors of its components.
 template <bool Fused, int N>
 struct word_cross;
 template <bool Fused>
 struct word_cross<Fused, 2> {
     using word = loose_word<Fused>;
     word value;
-    double error = 0, moved = 0; // moved: of its square
+    double error = 0, moved = 0; // moved: the error of its square
 
     word_cross() = default;
 
@@ -101,7 +101,7 @@ template <int N, class V>
     return sum;
 }
 
-// Two movers in words: the encounter if it is certain, and for a hit a, √D and the time from their start.
+// Two movers in words: the encounter if it is certain; for a hit also a, √D and the time from their start.
 template <bool Fused, moving B>
 struct word_approach {
     static constexpr int N = dimension_of<B>;
@@ -109,13 +109,13 @@ struct word_approach {
 
     relative_motion<N, word, word, word> motion; // in order
     relative_motion<N, term_size, term_size, term_size> size;
-    double off = 0; // the error of Δx in all: none for balls
+    double off = 0; // the total error of Δx; 0 for balls
     word_cross<Fused, N> cross;
     word a, root, time;
     double root_error = 0, time_error = 0;
     double length2 = 0;
     bool in_range = false;
-    bool good = false; // whether errors of root and time are known
+    bool good = false; // whether the errors of root and time are known
     bool nearly_grazes = false;
     int what = undecided;
 
@@ -127,7 +127,7 @@ struct word_approach {
                 return epochs;
             });
         if constexpr (is_flight<B>) {
-            if (as_stored(x.since) != as_stored(y.since)) { // else Δx is exact, as for balls
+            if (as_stored(x.since) != as_stored(y.since)) { // otherwise Δx is exact, as for balls
                 constexpr double k = of_words::bound(analysed_movers<true>::value<N, of_words>().dx[0]);
                 for (int i = 0; i < N; ++i) {
                     motion.dx[i] = as_input(motion.dx[i]);
@@ -159,8 +159,8 @@ struct word_approach {
     }
 
   private:
-    double lost_of_d = 0;         // by underflow
-    double denominator_error = 0; // of -h + √D
+    double lost_of_d = 0;         // lost by underflow
+    double denominator_error = 0; // the error of -h + √D
 
     [[nodiscard, gnu::always_inline]] bool is_good() const noexcept {
         return 16 * std::max(root_error, denominator_error) < root.high;
@@ -222,7 +222,7 @@ struct word_approach {
         good = is_good();
     }
 
-    // c for movers that nearly touch.
+    // c of movers that nearly touch.
     [[nodiscard, gnu::always_inline]] bounded_value<word> near_c(double lost) const noexcept {
         accurate_sum<Fused> sum;
         for (int i = 0; i < N; ++i) {
