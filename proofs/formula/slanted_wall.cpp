@@ -71,7 +71,7 @@ constexpr bool right(const parallelogram& w, point p) {
     const closest c = closest_to(w, p);
     const auto meets = [&](int speed, int radius) {
         const auto m = detail::flat_motion_of(ball<3, whole>{{{7, p.y, p.z}}, {{speed, 0, 0}}, radius}, in_space(w));
-        return detail::decide_directly(m, detail::direct_judge<variant::lagrange, 3, whole>(m));
+        return detail::decide_directly(m, detail::direct_judge<3, whole>(m));
     };
     const flat_answer deep = meets(-1, 100);
     if (meets(0, 1).what != encounter::recede || deep.what != encounter::overlap || deep.where != c.where ||

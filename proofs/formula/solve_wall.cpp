@@ -15,7 +15,7 @@ using surd = sqrt_extension<rational>;
 // A discriminant that only a rounding makes negative has the root 0.
 static_assert([] {
     const flat_motion<2, double> m{{{0, 1}}, {{1, 0}}, {{{{0, 1}}}}, 1, false};
-    const detail::direct_judge<variant::lagrange, 2, double> judge(m);
+    const detail::direct_judge<2, double> judge(m);
     double root = 5;
     return judge.root(9, root) && root == 3 && judge.root(-1, root) && root == 0;
 }());

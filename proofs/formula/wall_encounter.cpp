@@ -178,9 +178,9 @@ constexpr bool index_fits(const flat_answer& w, const thrown& b, const wall<N, w
 template <int N>
 constexpr bool right(const thrown& b, const wall<N, whole>& in) {
     const auto m = detail::flat_motion_of(ball_of<N>(b), in);
-    const detail::direct_judge<variant::lagrange, N, whole> judge(m);
+    const detail::direct_judge<N, whole> judge(m);
     const auto way = way_of(m);
-    const flat_decision<N, whole, detail::direct_judge<variant::lagrange, N, whole>> decide(m, way, judge);
+    const flat_decision<N, whole, detail::direct_judge<N, whole>> decide(m, way, judge);
     const flat_answer found = detail::decide_directly(m, judge);
     const expected e = by_distance<N>(b);
     if (!found.certain || found.what != e.what || (decide.clearance() < 0) != (flight<N>{b}.against_radius({}) < 0)) {

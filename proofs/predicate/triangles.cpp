@@ -64,7 +64,7 @@ constexpr bool right(const corners& t, point p) {
     const triangle<whole> shape{in_space<whole>(t[0]), {{in_space<whole>(t[1] - t[0]), in_space<whole>(t[2] - t[0])}}};
     const auto meets = [&](int speed, int radius) {
         const auto m = detail::flat_motion_of(ball<3, whole>{{{7, p.y, p.z}}, {{speed, 0, 0}}, radius}, shape);
-        return detail::decide_directly(m, detail::direct_judge<variant::lagrange, 3, whole>(m));
+        return detail::decide_directly(m, detail::direct_judge<3, whole>(m));
     };
     const auto is_there = [&](const flat_answer& found) { return found.where == c.where && found.index == c.index; };
     const int beside = c.over - 25 * c.under;

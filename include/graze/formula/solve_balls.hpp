@@ -7,23 +7,11 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
-// discriminant: from the motion and its quadratic.
-template <root_form F, class T, int N, class D>
-[[nodiscard]] constexpr ball_solution<N, T> solve_balls(const ball<N, T>& a, const ball<N, T>& b, const T& inverse_a,
-                                                        const T& inverse_b, D discriminant) {
+// The contact, of a solution that has its encounter and time: the same by whichever formulas these were found.
+template <int N, class T, class Motion>
+constexpr void set_contact(ball_solution<N, T>& s, const ball<N, T>& a, const ball<N, T>& b, const T& inverse_a,
+                           const T& inverse_b, const Motion& m) {
     using real = root_type<T>;
-    ball_solution<N, T> s;
-    const auto m = relative_motion_of(a, b);
-    const quadratic<T, T, T> q = quadratic_of(m);
-    s.discriminant = discriminant(m, q);
-    s.what = encounter_of([&] { return graze::sign(q.h); }, [&] { return graze::sign(q.c); },
-                          [&] { return graze::sign(s.discriminant); });
-    if (!is_collision(s.what)) {
-        return s;
-    }
-    if (s.what != encounter::overlap) {
-        s.time = first_root<F>(q, s.discriminant, s.what);
-    }
     s.position_a = position_at(as<real>(a.position), as<real>(a.velocity), s.time); // (13)
     s.position_b = position_at(as<real>(b.position), as<real>(b.velocity), s.time);
     const bool touches = graze::sign(m.R) != 0;
@@ -42,6 +30,24 @@ template <root_form F, class T, int N, class D>
         const real alpha = impulse(mu, s.normal, as<real>(m.du));                      // (29)
         s.velocity_a = velocity_after(s.velocity_a, alpha, real(inverse_a), s.normal); // (23)
         s.velocity_b = velocity_after(s.velocity_b, real(-alpha), real(inverse_b), s.normal);
+    }
+}
+
+// discriminant: from the motion and its quadratic.
+template <root_form F, class T, int N, class D>
+[[nodiscard]] constexpr ball_solution<N, T> solve_balls(const ball<N, T>& a, const ball<N, T>& b, const T& inverse_a,
+                                                        const T& inverse_b, D discriminant) {
+    ball_solution<N, T> s;
+    const auto m = relative_motion_of(a, b);
+    const quadratic<T, T, T> q = quadratic_of(m);
+    s.discriminant = discriminant(m, q);
+    s.what = encounter_of([&] { return graze::sign(q.h); }, [&] { return graze::sign(q.c); },
+                          [&] { return graze::sign(s.discriminant); });
+    if (is_collision(s.what)) {
+        if (s.what != encounter::overlap) {
+            s.time = first_root<F>(q, s.discriminant, s.what);
+        }
+        set_contact(s, a, b, inverse_a, inverse_b, m);
     }
     return s;
 }

@@ -18,14 +18,15 @@ template <class T>
 }
 
 // Answers the questions of flat_decision in T. A discriminant, and the numbers of a time, are those of the quadratic
-// from which the time is computed, by variant V.
-template <variant V, int N, class T>
+// from which the time is computed, by a variant. The variant is no parameter of the template: it makes a few operations
+// of many.
+template <int N, class T>
 class direct_judge {
   public:
     static constexpr bool has_roots = has_sqrt<T>;
 
-    constexpr explicit direct_judge(const flat_motion<N, T>& m)
-        : motion_{m.w, m.u, m.e, m.r}, is_triangle_(m.is_triangle) {}
+    constexpr explicit direct_judge(const flat_motion<N, T>& m, variant v = variant::lagrange)
+        : motion_{m.w, m.u, m.e, m.r}, is_triangle_(m.is_triangle), variant_(v) {}
 
     [[nodiscard]] constexpr bool root(const T& x, T& y) const {
         y = graze::square_root(graze::sign(x) < 0 ? T(0) : x);
@@ -59,19 +60,46 @@ class direct_judge {
     [[nodiscard]] constexpr approach edge(int index) const {
         const auto view = view_of_edge(index);
         const quadratic<T, T, T> q = edge_quadratic(view);
-        return {q, discriminant_by<V, T>(q, [&] { return T(edge_discriminant{}(view)); })};
+        return {q, discriminant(q, [&] { return T(edge_discriminant{}(view)); })};
     }
     [[nodiscard]] constexpr approach corner(int index) const {
         const auto m = corner_motion(view_of_corner(index));
         const quadratic<T, T, T> q = quadratic_of(m);
-        return {q, discriminant_by<V, T>(q, [&] { return T(discriminant_lagrange{}(m)); })};
+        return {q, discriminant(q, [&] { return T(discriminant_lagrange{}(m)); })};
+    }
+    // Of a feature but the face.
+    [[nodiscard]] constexpr approach feature(graze::feature where, int index) const {
+        if constexpr (N == 3) {
+            if (where == graze::feature::edge) {
+                return edge(index);
+            }
+        }
+        return corner(index);
     }
 
   private:
+    template <class L>
+    [[nodiscard]] constexpr T discriminant(const quadratic<T, T, T>& q, L lagrange) const {
+        if constexpr (field_number<T>) { // textbook's is divided
+            if (variant_ == variant::textbook) {
+                return discriminant_by<variant::textbook, T>(q, lagrange);
+            }
+        }
+        if (variant_ == variant::halved) {
+            return discriminant_by<variant::halved, T>(q, lagrange);
+        }
+        if constexpr (has_variant<variant::kahan, T>) {
+            if (variant_ == variant::kahan) {
+                return discriminant_by<variant::kahan, T>(q, lagrange);
+            }
+        }
+        return lagrange();
+    }
     [[nodiscard]] constexpr approach edge(const flat_edge<N, T>& x) const { return edge(x.border); }
 
     wall_motion<N, T, T, T, T> motion_;
     bool is_triangle_;
+    variant variant_;
 };
 
 // The encounter in T, and the feature that is met or, if the ball recedes, the closest one.
@@ -83,44 +111,18 @@ template <class Judge, int N, class T>
     return found.what == encounter::recede ? decision.with_closest(found) : found;
 }
 
-template <variant V, root_form F, int N, class T>
-[[nodiscard]] constexpr wall_solution<N, T> solve_flat(const ball<N, T>& b, const vec<N, T>& corner,
-                                                       const flat_motion<N, T>& m) {
+// The contact with an edge or a corner, of a solution that has its encounter, feature and time: the same by whichever
+// formulas these were found.
+template <int N, class T>
+constexpr void set_contact(wall_solution<N, T>& s, const ball<N, T>& b, const direct_judge<N, T>& judge) {
     using real = root_type<T>;
-    wall_solution<N, T> s;
-    const direct_judge<V, N, T> judge(m);
-    const flat_answer found = decide_directly(m, judge);
-    s.what = found.what;
-    s.where = found.where;
-    s.index = found.index;
-    if (!is_collision(s.what)) {
-        return s;
-    }
-    const bool inside = s.what == encounter::overlap;
     const vec<N, real> u = detail::as<real>(b.velocity);
-    if (s.where == feature::face) {
-        const wall_solution<N, T> face = solve<V, F>(b, plane<N, T>{corner, vec<N, T>(face_normal(m.e))});
-        s.time = face.time;
-        s.position = face.position;
-        s.point = face.point;
-        s.normal = face.normal;
-        s.velocity = face.velocity;
-        return s;
-    }
-    const auto met = [&](const auto& approach) {
-        s.discriminant = approach.discriminant;
-        if (!inside) {
-            s.time = detail::first_root<F>(approach.q, approach.discriminant, s.what);
-        }
-        s.position = position_at(detail::as<real>(b.position), u, s.time);
-    };
+    s.position = position_at(detail::as<real>(b.position), u, s.time);
     if (s.where == feature::corner) {
-        met(judge.corner(s.index));
         s.point = detail::as<real>(b.position - judge.view_of_corner(s.index).w);
     }
     if constexpr (N == 3) {
         if (s.where == feature::edge) {
-            met(judge.edge(s.index));
             const auto view = judge.view_of_edge(s.index);
             const vec<N, real> e = detail::as<real>(view.e[1]);
             const vec<N, real> from = position_at(detail::as<real>(view.w), u, s.time);
@@ -128,7 +130,7 @@ template <variant V, root_form F, int N, class T>
         }
     }
     const vec<N, real> apart = s.position - s.point;
-    if (inside) {
+    if (s.what == encounter::overlap) {
         if constexpr (has_sqrt<T>) {
             s.normal = contact_normal(apart, graze::root(T(graze::squared_norm(apart))));
         } else {
@@ -139,6 +141,28 @@ template <variant V, root_form F, int N, class T>
         s.normal = graze::sign(b.radius) != 0 ? contact_normal(apart, real(b.radius)) : detail::zero_vector<N, real>();
     }
     s.velocity = s.what == encounter::graze ? u : reflected(u, s.normal);
+}
+
+template <root_form F, int N, class T>
+[[nodiscard]] constexpr wall_solution<N, T> solve_flat(const ball<N, T>& b, const vec<N, T>& corner,
+                                                       const flat_motion<N, T>& m, variant v) {
+    const direct_judge<N, T> judge(m, v);
+    const flat_answer found = decide_directly(m, judge);
+    wall_solution<N, T> s;
+    if (is_collision(found.what) && found.where == feature::face) {
+        s = solve(b, plane<N, T>{corner, vec<N, T>(face_normal(m.e))});
+    }
+    s.what = found.what;
+    s.where = found.where;
+    s.index = found.index;
+    if (is_collision(s.what) && s.where != feature::face) {
+        const auto approach = judge.feature(s.where, s.index);
+        s.discriminant = approach.discriminant;
+        if (s.what != encounter::overlap) {
+            s.time = detail::first_root<F>(approach.q, approach.discriminant, s.what);
+        }
+        set_contact(s, b, judge);
+    }
     return s;
 }
 
@@ -149,14 +173,14 @@ template <variant V, root_form F, int N, class T>
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T, int N>
 requires field_number<T> && has_variant<V, T>
 [[nodiscard]] constexpr wall_solution<N, T> solve(const ball<N, T>& b, const wall<N, T>& w) {
-    return detail::solve_flat<V, F>(b, w.corner, detail::flat_motion_of(b, w));
+    return detail::solve_flat<F>(b, w.corner, detail::flat_motion_of(b, w), V);
 }
 
 // The same for a triangle.
 template <variant V = variant::lagrange, root_form F = root_form::stable, number T>
 requires field_number<T> && has_variant<V, T>
 [[nodiscard]] constexpr wall_solution<3, T> solve(const ball<3, T>& b, const triangle<T>& t) {
-    return detail::solve_flat<V, F>(b, t.corner, detail::flat_motion_of(b, t));
+    return detail::solve_flat<F>(b, t.corner, detail::flat_motion_of(b, t), V);
 }
 
 } // namespace graze::inline v0_1

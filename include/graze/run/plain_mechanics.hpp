@@ -52,7 +52,7 @@ struct plain_mechanics {
     template <class W>
     [[nodiscard]] constexpr std::optional<T> meet(const state& a, const W& w) const {
         const auto m = detail::flat_motion_of(a.state, w);
-        const detail::direct_judge<V, N, T> judge(m);
+        const detail::direct_judge<N, T> judge(m, V);
         const flat_answer found = detail::decide_directly(m, judge);
         if (!is_collision(found.what)) {
             return std::nullopt;
@@ -63,18 +63,12 @@ struct plain_mechanics {
         if (found.where == graze::feature::face) {
             return meet(a, plane_of(w));
         }
-        if constexpr (N == 3) {
-            if (found.where == graze::feature::edge) {
-                const auto edge = judge.edge(found.index);
-                return root_from(a.since, edge.q, edge.discriminant, found.what);
-            }
-        }
-        const auto corner = judge.corner(found.index);
-        return root_from(a.since, corner.q, corner.discriminant, found.what);
+        const auto approach = judge.feature(found.where, found.index);
+        return root_from(a.since, approach.q, approach.discriminant, found.what);
     }
     [[nodiscard]] constexpr wall_encounter feature(const state& a, const triangle<T>& t) const requires(N == 3) {
         const auto m = detail::flat_motion_of(a.state, t);
-        const flat_answer found = detail::decide_directly(m, detail::direct_judge<V, N, T>(m));
+        const flat_answer found = detail::decide_directly(m, detail::direct_judge<N, T>(m, V));
         return {found.what, found.where, found.index};
     }
 
