@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 
+namespace contact_conservation_test {
+
 namespace {
 
 const mpq_class u(mpz_class(1), mpz_class(1) << 53U);
@@ -93,3 +95,5 @@ TEST_CASE("rounded velocities keep momentum and energy to within their own round
     check(look_at_families<2>());
     check(look_at_families<3>());
 }
+
+} // namespace contact_conservation_test

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 
+namespace contact_in_doubles_test {
+
 using graze::detail::component_set;
 
 namespace {
@@ -114,3 +116,5 @@ void try_families(std::uint64_t count) {
 
 TEST_CASE("bounds hold and certain components are right: doubles") { try_families<double>(300); }
 TEST_CASE("bounds hold and certain components are right: floats") { try_families<float>(100); }
+
+} // namespace contact_in_doubles_test

@@ -11,6 +11,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace contact_laws_test {
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -255,3 +257,5 @@ TEST_CASE("bad masses are named") {
     CHECK(thrown_by(with_mass(nan), graze::plane<2>{{0, 0}, {1, 0}}).empty());
     CHECK(thrown_by(ball{{0, 0}, {1, 0}, -1}, good) == "ball a: radius is negative");
 }
+
+} // namespace contact_laws_test

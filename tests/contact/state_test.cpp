@@ -10,6 +10,8 @@
 #include <initializer_list>
 #include <vector>
 
+namespace contact_state_test {
+
 using namespace environments;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("a subnormal float takes part in a time where subnormals count as zero
         CHECK(time == 0x1.fffffep-104F);
     }
 }
+
+} // namespace contact_state_test

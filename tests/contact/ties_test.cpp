@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace contact_ties_test {
+
 namespace {
 
 template <class T>
@@ -189,3 +191,5 @@ TEST_CASE_TEMPLATE("ties go to the even number", T, double, float) {
     SUBCASE("normals") { normals<T>(); }
     SUBCASE("velocities") { velocities<T>(); }
 }
+
+} // namespace contact_ties_test

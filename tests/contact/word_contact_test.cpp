@@ -9,6 +9,8 @@
 
 #include <doctest/doctest.h>
 
+namespace word_contact_test {
+
 using namespace bounds;
 
 namespace {
@@ -339,3 +341,5 @@ TEST_CASE("the widest stage of a time and of a contact") {
     expect(stage::exact, stage::exact, at(5, 2, -1), rest); // a tie
     expect(stage::exact, stage::exact, at(5, 2, -1, 0x1p-600), at(0, 0, 0, 0x1p-600));
 }
+
+} // namespace word_contact_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+namespace exact_approximate_test {
+
 namespace {
 
 mpq_class value(const graze::detail::scaled_double& x) {
@@ -77,3 +79,5 @@ TEST_CASE("Powers of two") {
     }
     CHECK(wrong == 0);
 }
+
+} // namespace exact_approximate_test

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <vector>
 
+namespace exact_estimate_test {
+
 namespace {
 
 using graze::detail::estimate;
@@ -79,3 +81,5 @@ TEST_CASE("An estimate of a plain value is certain, of a cancelled one not") {
     CHECK_FALSE(graze::detail::is_certain(x - x));
     CHECK_FALSE(graze::detail::is_certain(estimate(0)));
 }
+
+} // namespace exact_estimate_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+namespace field_runs_test {
+
 namespace {
 
 template <int N>
@@ -161,3 +163,5 @@ TEST_CASE("a ball that rolls over a seam is not thrown up; over a step of an ulp
     REQUIRE(!events.empty());
     CHECK(events.back().after.state.velocity[1] == doctest::Approx(2 * std::sqrt(2 * step / 0.5)).epsilon(1e-6));
 }
+
+} // namespace field_runs_test

@@ -10,6 +10,8 @@
 #include <numeric>
 #include <random>
 
+namespace first_events_test {
+
 namespace {
 
 using line_oracle::bead;
@@ -171,3 +173,5 @@ TEST_CASE("those that overlap are found among all") {
     }));
     CHECK(pairs > 100);
 }
+
+} // namespace first_events_test

@@ -7,6 +7,8 @@
 
 #include <numeric>
 
+namespace sequence_test {
+
 namespace {
 
 using line_oracle::bead;
@@ -123,3 +125,5 @@ TEST_CASE("the order of the lists has no part in it, nor has the grid") {
         }
     }));
 }
+
+} // namespace sequence_test
