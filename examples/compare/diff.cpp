@@ -192,7 +192,7 @@ void compare_settings(difference& all, const results& before, const results& aft
             note(all.other_pairs, "dimension of " + g.name, std::to_string(g.dimension),
                  std::to_string(same->dimension));
             if (g.pairs == same->pairs && g.encounters != same->encounters) {
-                all.other_pairs.push_back(of + ": as many, but others");
+                all.other_pairs.push_back(of + ": the same number of other pairs");
             }
         }
     }

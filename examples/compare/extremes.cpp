@@ -175,7 +175,7 @@ std::string extremes_text(const results& found) {
         return "";
     }
     return wrong.text + worst.text +
-           wrapped("The command with --pair and a pair's number tells all of it: " + found.program + found.inputs +
+           wrapped("For all numbers of a pair, add --pair and its number: " + found.program + found.inputs +
                    " --pair " + std::to_string(wrong.text.empty() ? worst.first : wrong.first) +
                    ". --pairs FOLDER writes the scenes of all these pairs; --json and --report hold them too.") +
            "\n";

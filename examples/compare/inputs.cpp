@@ -108,7 +108,7 @@ std::vector<group> groups_of(const options& o, const progress_line& line) {
                                                    : default_groups(o, line);
     if (groups.empty()) {
         throw input_error("--pair: there is no pair " + std::to_string(o.pair.value_or(0)) +
-                          "; reports number the pairs from 1 on, and other inputs, options or seeds have others");
+                          "; pairs are numbered from 1, and differently with other inputs, options or seeds");
     }
     return groups;
 }

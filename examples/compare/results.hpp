@@ -21,7 +21,7 @@ enum class quantity { discriminant, time, crossing, position, velocity };
 inline constexpr std::array<const char*, 5> quantity_names = {"discriminant", "time", "crossing", "position",
                                                               "velocity"};
 inline constexpr std::array<const char*, 5> quantity_words = {"the discriminant", "the time at which two balls touch",
-                                                              "the time at which a ball touches what stands",
+                                                              "the time at which a ball touches a plane or wall",
                                                               "the positions", "the velocities"};
 inline constexpr std::size_t quantity_count = quantity_names.size();
 

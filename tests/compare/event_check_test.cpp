@@ -223,7 +223,7 @@ TEST_CASE("a point goes through no wall at the instant of an event") {
     event_check<2> check(s);
     const plane_flight up{ball_of(at(number(0), number(0)), at(number(1), number(1)), number(0)), number(1)};
     CHECK(said([&] { check.event({wall, 0, 0}, number(1), up, nullptr); }).empty());
-    CHECK(holds(said([&] { check.end(number(2)); }), "ball 0 and wall 1 met, and it was not told"));
+    CHECK(holds(said([&] { check.end(number(2)); }), "ball 0 and wall 1 met, which was not reported"));
     const plane_flight back{ball_of(at(number(0), number(0)), at(number(-1), number(1)), number(0)), number(1)};
     CHECK(said([&] { check.event({wall, 0, 1}, number(1), back, nullptr); }).empty());
     CHECK(said([&] { check.end(number(2)); }).empty());

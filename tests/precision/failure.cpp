@@ -197,7 +197,7 @@ std::string beside_accepted(const reference& accepted, quantity of, const any_pa
     } else {
         text += "decides nothing wrong there, with an error of " + told(v->largest()) + " units in the last place";
     }
-    return text + (is_loss ? "\n" : "; no pair of the family was found that it has right and that shows the loss\n");
+    return text + (is_loss ? "\n" : "; no pair of the family was found that shows the loss and that it gets right\n");
 }
 
 // The command that shows the pair in this type and formula; empty unless graze-compare knows both.

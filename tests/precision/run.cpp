@@ -127,7 +127,7 @@ class comparison {
 
     int finish(std::ostream& out) const {
         if (!unexpected_.empty()) {
-            out << "PASSED, though expected to fail (take the '!' from the line):\n";
+            out << "PASSED, though expected to fail (remove the '!' from the line):\n";
             list(unexpected_, out);
         }
         if (!new_.empty()) {

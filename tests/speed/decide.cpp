@@ -39,7 +39,7 @@ void register_decisions() {
         compare(group, "graze::classify", q.size(), [&q](std::size_t i) { return graze::classify(q.a[i], q.b[i]); });
     };
     decide_all("decide", p);
-    decide_all("decide, too many pairs to be foreseen", many_pairs());
+    decide_all("decide, too many pairs to predict", many_pairs());
     compare_type<long double>("decide", "long double", p);
 #ifdef GRAZE_SPEED_FLOAT128
     compare_type<__float128>("decide", "__float128", p);

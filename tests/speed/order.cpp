@@ -52,7 +52,7 @@ void compare_making(const std::string& group, const pairs& p) {
 
 void register_orders() {
     compare_making("make and order two times", generic_pairs());
-    compare_making("make and order two times, too many to be foreseen", many_pairs());
+    compare_making("make and order two times, too many to predict", many_pairs());
 
     static const std::vector<double> plain = [] {
         std::vector<double> r;

@@ -210,12 +210,11 @@ void write_diff_report(const std::vector<results>& all, const std::vector<std::s
     if (!found.other_build.empty()) {
         body += "<p>The builds differ:</p>" + list_of(found.other_build);
     }
-    body +=
-        "</header>\n<section id=\"frontiers\"><h2>Both frontiers</h2>\n<p>Nothing is both faster and better than "
-        "what stands on its frontier, among the types that decide every pair right. <span class=\"pointing\">Point at "
-        "or touch a mark to read its name.</span></p>\n" +
-        figure_of([&](bool narrow) { return frontiers_picture(before, after, narrow); }, "Nothing was timed.") +
-        "</section>\n";
+    body += "</header>\n<section id=\"frontiers\"><h2>Both frontiers</h2>\n<p>A type is on a frontier if none is both "
+            "faster and better, among the types that decide every pair right. <span class=\"pointing\">Point at "
+            "or touch a mark to read its name.</span></p>\n" +
+            figure_of([&](bool narrow) { return frontiers_picture(before, after, narrow); }, "Nothing was timed.") +
+            "</section>\n";
     const auto section = [&](const std::string& id, const std::string& head, const std::vector<change>& changes) {
         body += "<section id=\"" + id + "\"><h2>" + head + " (" + std::to_string(changes.size()) + ")</h2>\n" +
                 (changes.empty() ? "<p class=\"under\">Nothing.</p>\n" : changes_table(changes)) + "</section>\n";

@@ -36,18 +36,18 @@ right. <span class="pointing">Point at or touch a mark to read its name.</span><
 )";
 
 inline constexpr const char* exactness = R"(<h2>Exactness against cost</h2>
-<p>Which share of the answers is not what rounding the exact answer once would give: the decision is wrong or left open, or
-the time is not the nearest double. Further left is faster, further down is more often right; the lowest line is always right.</p>
+<p>The share of the answers that differ from the exact answer rounded once: the decision is wrong or left open, or the
+time is not the nearest double. Further left is faster, further down is more often right; the lowest line is always right.</p>
 )";
 
 inline constexpr const char* digits = R"(<h2>Digits wanted, and what they cost</h2>
-<p>The cheapest that decides every pair right and whose every time is right to so many decimal digits, over all groups.
+<p>The cheapest type that decides every pair right and has every time right to this many decimal digits, over all groups.
 The table has each group by itself.</p>
 )";
 
 inline constexpr const char* decisions = R"(<h2>Wrong decisions</h2>
 <p>How many pairs a type took for a hit that was a miss, for overlapping, for approaching, or the other way round. Amber:
-left open, by a type that says so. What has no line here decided every pair right.</p>
+left open, by a type that says so. A type without a line here decided every pair right.</p>
 )";
 
 inline constexpr const char* distribution = R"(<h2>How the errors are distributed</h2>
@@ -64,7 +64,7 @@ problem’s, and a line ends where no decision was right.</p>
 inline constexpr const char* tables = R"(<h2>Tables</h2>
 <p>Errors are the largest ones, the median in parentheses, in units in the last place that the exact value has as a
 double. Momentum and energy: the largest relative change in a collision. A star marks the best of a group: nothing is both
-faster and better. <span class="pointing">What is open here is printed.</span></p>
+faster and better. <span class="pointing">Folded tables are not printed.</span></p>
 )";
 
 } // namespace compare::report::words

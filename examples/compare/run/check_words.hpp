@@ -112,7 +112,7 @@ template <class A, class B>
 
 inline void judge(verdict v, const graze::scene_pair& who, const certified& from) {
     if (v == verdict::crossed) {
-        refute(who, "met before that, and it was not told", from);
+        refute(who, "met before that, which was not reported", from);
     }
     if (v == verdict::open) {
         leave_open(who, "whether they stay apart", from);

@@ -44,7 +44,7 @@ void event_check<N>::check_point(int a, std::size_t b, const certified* t, bool 
                         leave_open(who, "whether it passes", x.now.since);
                     }
                     if (*place > 0) {
-                        refute(who, "met, and it was not told", x.now.since);
+                        refute(who, "met, which was not reported", x.now.since);
                     }
                 }
             }

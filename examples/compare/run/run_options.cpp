@@ -19,9 +19,8 @@ CLI::App* add_run_command(CLI::App& app, raw_run_options& to) {
     run->add_option("--until", to.until, "Stop at this time, a number as in a scene file");
     run->add_option("--collisions", to.collisions, "Stop after this number of collisions")
         ->check(whole_from(1, 10'000'000));
-    run->add_option(
-           "--jam", o.how_far.jam,
-           "End the run when three bodies or fewer have met this often while time all but stands still (10000)")
+    run->add_option("--jam", o.how_far.jam,
+                    "End the run when five things or fewer have met this often while time hardly advances (10000)")
         ->check(whole_from(1, 10'000'000));
     run->add_option("--digits", o.wanted.digits, "Decimal digits of positions and velocities at the end")
         ->capture_default_str()

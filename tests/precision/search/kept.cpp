@@ -291,9 +291,9 @@ void check(const kept_file& file, const goal& g) {
     for (const kept_pair& p : file.pairs) {
         const auto score = p.at.score_by(g);
         if (!score || *score != p.at.score) {
-            throw std::runtime_error("try " + std::to_string(p.attempt) + " is told as \"" + g.tell(p.at.score) +
-                                     "\", but shows \"" + (score ? g.tell(*score) : "nothing") +
-                                     "\": the formula or its build is another one");
+            throw std::runtime_error("try " + std::to_string(p.attempt) + ": the file says \"" + g.tell(p.at.score) +
+                                     "\", but the pair shows \"" + (score ? g.tell(*score) : "nothing") +
+                                     "\": the formula or its build has changed");
         }
     }
 }
