@@ -1,12 +1,12 @@
-# The libraries whose number types graze has adapters for, each optional. graze_find_number_libraries() defines, for
-# those that are there,
+# The libraries for whose number types graze has adapters, all optional. graze_find_number_libraries() defines, for those
+# that are installed,
 #   graze_number_boost  graze_number_gmp  graze_number_mpfr  graze_number_mpfi  graze_number_cgal  graze_number_qd
 #   graze_number_float128
-# (link them after graze::graze) and prints a line for each that is not: which number types are dropped.
+# (link them after graze::graze), and prints for each other library which number types are left out.
 include_guard(GLOBAL)
 include(CheckCXXSourceCompiles)
 
-# A header and libraries that are found make the target; otherwise the types are dropped.
+# Makes the target if the header and the libraries are found; otherwise the types are left out.
 function(graze_number_library name types header)
     cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "LIBRARIES;NEEDS;OPTIONS")
     if(TARGET graze_number_${name})
@@ -63,7 +63,7 @@ function(graze_find_number_libraries)
         NEEDS boost gmp mpfr OPTIONS -frounding-math)
     graze_number_library(qd "dd_real, qd_real" qd/dd_real.h LIBRARIES qd)
 
-    # libquadmath lies in the compiler's own directories, where find_library does not look.
+    # libquadmath is in the compiler's own directories, where find_library does not look.
     if(NOT TARGET graze_number_float128)
         set(CMAKE_REQUIRED_LIBRARIES quadmath)
         check_cxx_source_compiles("#include <quadmath.h>

@@ -4,11 +4,11 @@
 #     [FORMULAS formula...]   function objects, run in each of the types: whole solutions or discriminants of two balls
 #     [LIBRARIES target...]   what the types need
 #     [DEFINITIONS name...]   macros for their headers
-#     [EXCLUDE_FROM_ALL])     the program is built by its own target alone
-# makes graze-compare as a program of this name, with these types and formulas as rows beside all others. A type that
-# graze-compare has already is none of its own; its formulas are. All types are compiled with the flags of the build.
-# Needs Boost, CLI11 and nlohmann-json. What else is found of GMP, MPFR, CGAL and QD adds the types of these;
-# set(GRAZE_COMPARE_TYPES built_in) leaves all of these out, and Boost's.
+#     [EXCLUDE_FROM_ALL])     the program is built only by its own target
+# makes a program of this name: graze-compare with these types and formulas as rows beside all others. A type that
+# graze-compare already has adds no rows of its own, but its formulas do. All types are compiled with the build's flags.
+# Needs Boost, CLI11 and nlohmann-json. If GMP, MPFR, CGAL or QD is found, its types are added;
+# set(GRAZE_COMPARE_TYPES built_in) leaves out these and Boost's.
 include_guard(GLOBAL)
 set(GRAZE_COMPARE_SOURCES "${CMAKE_CURRENT_LIST_DIR}" CACHE INTERNAL "The sources of graze-compare")
 set(GRAZE_COMPARE_KNOWN float double "long double" __float128 CACHE INTERNAL "Types that graze-compare has by name")

@@ -17,7 +17,7 @@ compare_compile_together(compare_input -O1 ${input})
 if(NOT PROJECT_NAME STREQUAL "graze")
     return()
 endif()
-# Writes examples/scenes/*.json again.
+# Rewrites examples/scenes/*.json.
 add_executable(generate_scenes ${CMAKE_CURRENT_LIST_DIR}/../scenes/generate.cpp)
 target_compile_features(generate_scenes PRIVATE cxx_std_20)
 target_link_libraries(generate_scenes PRIVATE graze_warnings)

@@ -1,12 +1,12 @@
-# graze-compare-run: certified runs, and runs in number types beside them. They take long to compile and are rarely wanted:
-# `./graze compare run` has them built. Static libraries, which their tests link too.
+# graze-compare-run: certified runs, and runs in number types beside them. They take long to compile and are rarely wanted,
+# so `./graze compare run` builds them when needed. Static libraries, which their tests link too.
 if(NOT TARGET graze_number_mpfi)
     target_compile_definitions(compare_program PRIVATE COMPARE_HAS_MPFI=0)
     return()
 endif()
 target_compile_definitions(compare_program PRIVATE COMPARE_HAS_MPFI=1)
 
-# The proof, and how a type's run is judged by it.
+# The proof, and the judgement of a type's run by it.
 set(certified run/certified.cpp run/certified_flight.cpp run/certified_run.cpp run/certified_time.cpp run/clearance.cpp
     run/event_check.cpp run/extent.cpp run/integer_line.cpp run/mpfi_interval.cpp)
 add_library(compare_certified STATIC ${certified} run/event_place.cpp run/event_sides.cpp run/event_ways.cpp
@@ -14,7 +14,7 @@ add_library(compare_certified STATIC ${certified} run/event_place.cpp run/event_
 target_link_libraries(compare_certified PUBLIC compare_engine graze_number_mpfi PRIVATE graze_warnings)
 compare_compile_together(compare_certified -O1 ${certified})
 
-# Number types against the clock.
+# Runs in number types, which are timed.
 add_library(compare_run_types STATIC run/runnables.cpp run/types/cpp_bin_float_50.cpp run/types/cpp_bin_float_100.cpp
     run/types/double.cpp run/types/float.cpp run/types/graze.cpp run/types/long_double.cpp run/types/mpfr_float_50.cpp)
 target_link_libraries(compare_run_types PUBLIC compare_certified PRIVATE $<TARGET_NAME_IF_EXISTS:graze::compiled> graze_warnings)
@@ -31,7 +31,7 @@ endfunction()
 compare_run_type(float128 run/types/float128.cpp)
 compare_run_type(qd run/types/double_double.cpp)
 
-# What is told.
+# The reports.
 set(told run_main.cpp run/digits_picture.cpp run/paths_picture.cpp run/run_command.cpp run/run_json.cpp
     run/run_options.cpp run/run_text.cpp)
 add_executable(graze-compare-run ${told})

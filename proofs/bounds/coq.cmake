@@ -1,7 +1,7 @@
 # cmake -D PROGRAM=error-bounds -D GAPPA=... -D COQC=... -D WORK=... [-D SECONDS=...] -P coq.cmake: writes every script,
-# lets Gappa write its proof of each for Coq, and lets Coq check them, the shortest first. The steps that Gappa leaves to
-# the user, the error of a quotient and x + y - x = y, are proved here too. What Coq has accepted, word for word, is not
-# asked again: remove WORK to ask everything. What takes it longer than SECONDS is left and named in the end.
+# has Gappa write a proof of each for Coq, and has Coq check them, the shortest first. The steps that Gappa leaves to the
+# user, the error of a quotient and x + y - x = y, are proved here too. A proof that Coq has accepted, word for word, is
+# not checked again: remove WORK to check all. A proof that takes longer than SECONDS is skipped and named at the end.
 cmake_policy(VERSION 3.25)
 file(MAKE_DIRECTORY "${WORK}")
 file(GLOB old "${WORK}/*.g")

@@ -20,7 +20,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FORMULAS = ROOT / "include/graze/formula"
-# The proofs, the quick ones first; and those that are about a header, which are tried before the others.
+# The proofs, the quick ones first. Those about a header are tried before the others.
 PROOFS = ["formula/encounter", "formula/root_order", "formula/roots", "formula/contact", "formula/plane_crossing",
           "formula/discriminant", "formula/flight_motion", "formula/solve_wall", "formula/impulse", "formula/errata",
           "formula/wall_features", "formula/slanted_wall", "analysis/bit_width", "predicate/scenes",
@@ -51,7 +51,7 @@ SWAPS = {"+": "-", "-": "+", "*": "+", "/": "*", "<": "<=", ">": ">=", "<=": "<"
 NAMES = [("dot(", "cross("), ("cross(", "dot("), (".dx", ".du"), (".du", ".dx"), (".w", ".u"), (".u", ".w"),
          ("true", "false"), ("false", "true"), ("height", "speed"), ("speed", "height"), ("inverse_a", "inverse_b"),
          ("inverse_b", "inverse_a"), ("dx", "du"), ("position_a", "position_b"), ("velocity_a", "velocity_b")]
-# What ends an operand: it stands outside its own parentheses, after a blank, and binds less.
+# What ends an operand: a weaker operator outside the operand's own parentheses, after a blank.
 LOOSER = {"*": r"\*|/|\+|-|<=|>=|<|>|==|!=|&&|\|\||\?|:", "+": r"\+|-|<=|>=|<|>|==|!=|&&|\|\||\?|:",
           "&&": r"&&|\|\||\?|:", "?": r"\?|:"}
 DECLARATION = re.compile(r"\s*(#|template|requires|namespace|struct|class|using|static_assert|public:|private:)")
@@ -238,7 +238,7 @@ def main():
     known = equivalents()
     proofs = [p for p in PROOFS if (ROOT / "proofs" / f"{p}.cpp").exists()]
     everything = list(all_slips(options.only))
-    # What is listed is not tried, and lines may be alike: a reason speaks of one slip.
+    # Listed slips are not tried. Lines may be alike: each reason is about one slip.
     times = collections.Counter(s.key for s in everything)
     ambiguous = [key for key in known if times[key] != 1 and (not options.only or key[0][:-4] in options.only)]
     for key in ambiguous:
@@ -257,7 +257,7 @@ def main():
         for slip in chosen:
             print(f"{slip.header.name}:{slip.number}: {slip.key[1]} | {slip.key[2]}")
         return 0
-    # What does not hold unchanged would catch everything.
+    # A proof that fails on the unchanged code would catch every slip.
     about = {p for slip in chosen for p in ABOUT.get(slip.header.stem, []) if p in proofs}
     for proof in sorted(about) if options.sample or options.near else proofs:
         if said := compile_proof(proof, options.compiler):

@@ -1,6 +1,6 @@
-# cmake -D "COMMAND=compiler;flag;..." -D SOURCE=... -P check.cmake: the source compiles when it is REPAIRED, and as it
-# stands it does not, for its own reason: the compiler says what matches the regular expression of its line `// expect:`.
-# Where it has a line `// errors:`, the compiler says that in so many errors and no more.
+# cmake -D "COMMAND=compiler;flag;..." -D SOURCE=... -P check.cmake: the source compiles if REPAIRED is defined. Otherwise
+# it does not, for the right reason: the compiler's message matches the regular expression in its line `// expect:`.
+# If it has a line `// errors:`, the compiler reports exactly that number of errors.
 cmake_policy(VERSION 3.25)
 set(ENV{LC_ALL} C)
 file(STRINGS "${SOURCE}" expected REGEX "^// expect: ")

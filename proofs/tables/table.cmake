@@ -1,5 +1,5 @@
 # cmake -D PROGRAM=... [-D "ARGUMENTS=..."] -D PAGE=docs/....md [-D WRITE=ON] -P table.cmake
-# The page's table, between the lines <!-- table --> and <!-- end -->, is what the program prints; WRITE makes it so.
+# Checks that the page's table, between <!-- table --> and <!-- end -->, is what the program prints; WRITE writes it.
 cmake_policy(VERSION 3.25)
 separate_arguments(arguments UNIX_COMMAND "${ARGUMENTS}")
 execute_process(COMMAND "${PROGRAM}" ${arguments} OUTPUT_VARIABLE printed RESULT_VARIABLE result)
