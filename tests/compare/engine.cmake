@@ -1,4 +1,4 @@
-# What measures, concludes and writes, and the program as a whole.
+# The engine, its conclusions and files, and the program as a whole.
 set(parts exact_text_test.cpp score_test.cpp statistics_test.cpp true_value_test.cpp)
 if(TARGET graze_number_gmp)
     list(APPEND parts pairs_test.cpp truth_test.cpp)
@@ -21,7 +21,7 @@ graze_add_compare_program(compare_own TYPES own::thirty_bits HEADERS own_number.
 add_test(NAME compare_own COMMAND "${CMAKE_COMMAND}" -D "PROGRAM=$<TARGET_FILE:compare_own>"
     -D "WORK=${CMAKE_CURRENT_BINARY_DIR}/own.work" -P "${CMAKE_CURRENT_SOURCE_DIR}/own.cmake")
 
-# The program on every scene, as its numbers are written and as doubles.
+# The program on every scene, with numbers as written and as doubles.
 file(GLOB scenes CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/scenes/*.json")
 foreach(scene IN LISTS scenes)
     get_filename_component(name "${scene}" NAME_WE)

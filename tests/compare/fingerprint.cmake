@@ -1,4 +1,4 @@
-# Runs PROGRAM, which is compiled first from SOURCE if COMPILER is given, and compares what it prints with the file KNOWN.
+# Runs PROGRAM, after compiling it from SOURCE if COMPILER is given, and compares its output with the file KNOWN.
 if(COMPILER)
     separate_arguments(flags UNIX_COMMAND "${FLAGS}")
     execute_process(COMMAND ${COMPILER} -std=c++20 ${flags} "-I${INCLUDE}" "${SOURCE}" -o "${PROGRAM}"

@@ -1,6 +1,6 @@
-# cmake -D PROGRAM=... -D WORK=directory -P own.cmake: a program with the types and formulas of own_number.hpp. What they
-# lose is known: 2τ in place of τ is wrong by τ, from 2^52 to 2^53 units in the last place; 30 of 53 bits leave an error
-# of 2^20 units and more in half of the pairs.
+# cmake -D PROGRAM=... -D WORK=directory -P own.cmake: a program with the types and formulas of own_number.hpp. Their
+# losses are known: 2τ instead of τ is wrong by τ, which is 2^52 to 2^53 units in the last place; 30 of 53 bits leave an
+# error of 2^20 units or more in half of the pairs.
 cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
@@ -16,7 +16,7 @@ foreach(name IN ITEMS thirty_bits "late in thirty_bits" "careless in thirty_bits
         message(SEND_ERROR "no '${name}' among the types:\n${said}")
     endif()
 endforeach()
-# figures(family type...): of 60 pairs, as variables TYPE_VARIANT_ROOT_QUANTITY_FIGURE.
+# figures(family type...): measures 60 pairs and sets variables TYPE_VARIANT_ROOT_QUANTITY_FIGURE.
 macro(figures family)
     execute_process(COMMAND "${PROGRAM}" --family ${family} --count 60 --timing 0.01 --json out.json --types "${ARGN}"
         WORKING_DIRECTORY "${WORK}" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

@@ -1,8 +1,8 @@
-# cmake -D CXX=g++ -D NM=nm -D WORK=folder [-D UPDATE=ON] [-D UNITS=some] -P budget.cmake: what small units cost their compiler, by figures
-# that are the same on a busy machine: functions in the object and the kilobytes of it. Neither may be more than an eighth
-# above the table budget.txt, which UPDATE writes; both are for g++ 12 on x86-64. With graze::compiled the units are
-# optimised, as a user's are. Header-only they are not: that takes a third of the time, and each function that is
-# instantiated is then one of the object.
+# cmake -D CXX=g++ -D NM=nm -D WORK=folder [-D UPDATE=ON] [-D UNITS=some] -P budget.cmake: what small units cost the compiler, by figures
+# that do not depend on the load: an object's functions and kilobytes. Neither may be more than an eighth above the table
+# budget.txt, which UPDATE writes; the figures are for g++ 12 on x86-64. With graze::compiled the units are optimised, as a
+# user's are. Header-only they are not: that takes a third of the time, and every function that is instantiated is then in
+# the object.
 cmake_policy(VERSION 3.25)
 set(table "${CMAKE_CURRENT_LIST_DIR}/budget.txt")
 set(include "${CMAKE_CURRENT_LIST_DIR}/../../include")

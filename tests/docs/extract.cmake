@@ -1,7 +1,7 @@
-# What the documentation shows, taken out of it so that it can be tried.
+# Extracts what the documentation shows, so that it can be tested.
 
 # graze_next_fence(text info_out block_out rest_out): the first fenced block of text, its info string, and what follows.
-# info_out is NOTFOUND where there is none.
+# info_out is NOTFOUND if there is none.
 function(graze_next_fence text info_out block_out rest_out)
     set(${info_out} NOTFOUND PARENT_SCOPE)
     string(FIND "${text}" "\n```" open)
@@ -26,7 +26,7 @@ function(graze_next_fence text info_out block_out rest_out)
     set(${rest_out} "${rest}" PARENT_SCOPE)
 endfunction()
 
-# graze_write(file text): writes only what differs, so that nothing is compiled again for nothing.
+# graze_write(file text): writes only if the text differs, so that nothing is recompiled needlessly.
 function(graze_write file text)
     set(old "")
     if(EXISTS "${file}")

@@ -1,5 +1,5 @@
-# cmake -D ROOT=... -P links.cmake: every relative link of every page leads to a file. Brackets mean something in
-# CMake's lists, so other characters stand in for them.
+# cmake -D ROOT=... -P links.cmake: every relative link of every page leads to a file. Brackets have a meaning in
+# CMake's lists, so other characters replace them.
 cmake_policy(VERSION 3.25)
 string(ASCII 1 open)
 string(ASCII 2 close)

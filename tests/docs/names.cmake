@@ -1,5 +1,5 @@
-# cmake -D ROOT=... -P names.cmake: what the reference calls a name of the library is one, and the page of the formulas
-# leaves out no header of theirs, nor that of the results a field.
+# cmake -D ROOT=... -P names.cmake: names in the reference exist in the library; the page of the formulas lists all of
+# their headers, and the page of the results all fields.
 cmake_policy(VERSION 3.25)
 set(headers "")
 file(GLOB_RECURSE files "${ROOT}/include/*.hpp")

@@ -1,5 +1,5 @@
-# cmake -D ROOT=... -D PROGRAM=graze-compare -P options.cmake: the page of the command line names the options that there
-# are, and no others; no other page names an option that there is not. The page of the families names all of them.
+# cmake -D ROOT=... -D PROGRAM=graze-compare -P options.cmake: the page of the command line names exactly the existing
+# options; no other page names one that does not exist. The page of the families names all families.
 cmake_policy(VERSION 3.25)
 execute_process(COMMAND "${PROGRAM}" --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
 file(READ "${ROOT}/examples/compare/run/run_options.cpp" run_options) # its program may not have been built

@@ -1,5 +1,5 @@
-# cmake -D PROGRAM=... -D ARGUMENT=... -D EXPECTED=file-or-nothing -P run.cmake: the program must succeed and print what is
-# expected.
+# cmake -D PROGRAM=... -D ARGUMENT=... -D EXPECTED=file-or-nothing -P run.cmake: the program must succeed and print the
+# expected text.
 execute_process(COMMAND "${PROGRAM}" "${ARGUMENT}" OUTPUT_VARIABLE printed RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "ended with ${result} after printing:\n${printed}")

@@ -1,4 +1,4 @@
-# cmake -D ROOT=... -D PROGRAM=graze-compare -D WORK=... -P scenes.cmake: graze-compare takes the scenes that pages show.
+# cmake -D ROOT=... -D PROGRAM=graze-compare -D WORK=... -P scenes.cmake: graze-compare accepts the scenes that pages show.
 cmake_policy(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/extract.cmake")
 

@@ -1,10 +1,10 @@
 # cmake -D ROOT=... -D PROGRAM=graze-compare -P table.cmake: the table in the first tutorial is what its command prints,
-# but for the times.
+# except for the times.
 cmake_policy(VERSION 3.25)
 file(READ "${ROOT}/docs/tutorial/first-comparison.md" page)
 execute_process(COMMAND "${PROGRAM}" --types double --timing 0.02 OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 
-# Method, then three times wrong, worst, CR and time.
+# The method, then wrong, worst, CR and time, three times.
 set(cells " +([^ \n]+) +([^ \n]+) +([^ \n]+) +[0-9.]+ [^ \n]*s[*]?")
 foreach(text IN ITEMS page printed)
     string(REGEX MATCHALL "[a-z]+/[a-z]+${cells}${cells}${cells} *\n" ${text}_rows "${${text}}")

@@ -1,5 +1,5 @@
 # cmake -D COMPILER=... -D FLAGS=... -D LEVEL=0|1 -D ROOT=source-tree -P constant.cmake: decisions in constant
-# expressions compile under these flags, and bad input does not, for its own reason.
+# expressions compile under these flags; bad input does not, for the right reason.
 cmake_policy(VERSION 3.25)
 separate_arguments(FLAGS)
 find_program(compiler_found "${COMPILER}" NO_CACHE)
@@ -27,5 +27,5 @@ list(JOIN reasons ".*" in_this_order)
 if(NOT failed OR NOT errors EQUAL cases OR NOT said MATCHES "reject" OR NOT said MATCHES "${in_this_order}")
     message(SEND_ERROR "${errors} errors, where ${cases} cases should not compile because of ${reasons}: ${said}")
 endif()
-# The same input without the faults compiles.
+# Without the faults, the same input compiles.
 execute_process(COMMAND ${compile} -DREJECTED -DREPAIRED "${source}" COMMAND_ERROR_IS_FATAL ANY)

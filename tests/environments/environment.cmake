@@ -1,16 +1,16 @@
 # cmake -D NAME=... -D COMPILER=... -D FLAGS=... -D LEVEL=0|1|2 -D QUESTIONS=file -D WORK=directory -D ROOT=source-tree
 #   [-D EMULATOR=...] [-D PRELOAD=flags of a library to load first] [-D "CONTACTS=count most"] [-D SINGLE_HEADER=ON]
 #   -P environment.cmake
-# One environment: compiles the checker, if it is older than what it is made of, and lets it answer the questions; with
-# CONTACTS the one that compares hashes of contacts with those of the file; with SINGLE_HEADER from the single header, under
-# the names of the headers that it has. What is not there is reported as SKIPPED. The
-# outcome is kept in WORK/NAME.result for the table.
+# One environment: compiles the checker, if it is older than its sources, and has it answer the questions. CONTACTS also
+# runs the checker that compares hashes of contacts with the file's. SINGLE_HEADER compiles from the single header, under
+# the names of the headers that it contains. What is not installed is reported as SKIPPED.
+# The outcome is kept in WORK/NAME.result for the table.
 cmake_policy(VERSION 3.25)
 separate_arguments(FLAGS)
 separate_arguments(EMULATOR)
 file(MAKE_DIRECTORY "${WORK}")
 
-# finish(outcome text): keeps the outcome and ends.
+# finish(outcome text): stores the outcome and ends.
 macro(finish outcome)
     list(JOIN FLAGS " " flags)
     file(WRITE "${WORK}/${NAME}.result" "${outcome}")
@@ -22,7 +22,7 @@ if(NOT EXISTS "${QUESTIONS}")
     return()
 endif()
 
-# Whether a program can be built and run in this way at all.
+# Tests whether programs can be built and run in this way at all.
 find_program(compiler_found "${COMPILER}" NO_CACHE)
 if(NOT compiler_found)
     finish("skipped: no ${COMPILER}")

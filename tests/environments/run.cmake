@@ -1,6 +1,6 @@
 # cmake -D NAME=... -D COMPILER=... -D FLAGS=... -D EVENTS=... -D HASH=... -D WORK=directory -D ROOT=source-tree
 #   [-D EMULATOR=...] -P run.cmake
-# The fluid of examples/runs in one environment: no event missed or invented, and the end is the one whose hash this is.
+# The fluid of examples/runs in one environment: no event is missed or invented, and its final state has this hash.
 cmake_policy(VERSION 3.25)
 separate_arguments(FLAGS)
 separate_arguments(EMULATOR)

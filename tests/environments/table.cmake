@@ -1,4 +1,4 @@
-# cmake -D WORK=directory -D NAMES=name;... -D "FLAGS_<name>=..." -P table.cmake: the outcomes of the environments, as a
+# cmake -D WORK=directory -D NAMES=name;... -D "FLAGS_<name>=..." -P table.cmake: prints the environments' outcomes as a
 # table for the documentation.
 cmake_policy(VERSION 3.25)
 string(TIMESTAMP date "%Y-%m-%d" UTC)

@@ -1,4 +1,4 @@
-# What .clang-tidy asks holds of every header: cmake -D CLANG_TIDY=program -D SOURCE=file -D ROOT=repository -P tidy.cmake
+# Every header passes the checks of .clang-tidy: cmake -D CLANG_TIDY=program -D SOURCE=file -D ROOT=repository -P tidy.cmake
 if(NOT CLANG_TIDY)
     message("clang-tidy is not found: no header was looked at")
     return()

@@ -1,6 +1,6 @@
 # cmake -D WAY=install|find_package|pkg-config|meson|add_subdirectory|fetch_content|single_header|compiled|precision|compare|version
 #       -D BUILD=... -D SOURCE=... -D WORK=... -D COMPILER=... [-D CLANG=...] [-D MESON=...] -D VERSION=... -P check.cmake
-# One way for a user to get at graze, tried from nothing. The tree is moved after the installation, so that whatever
+# Tries one way for a user to get graze, from scratch. The tree is moved after the installation, so that anything that
 # names its old place fails.
 cmake_policy(VERSION 3.25)
 set(prefix "${WORK}/prefix")
@@ -59,7 +59,7 @@ elseif(WAY STREQUAL "meson")
     run("${MESON}" setup "${WORK}/meson" "${consumer}")
     run("${MESON}" test -C "${WORK}/meson")
 elseif(WAY STREQUAL "fetch_content")
-    # A repository of what a user needs, with the release's tag, fetched by the lines of the documentation.
+    # A repository with what a user needs and the release's tag, fetched by the lines of the documentation.
     set(repository "${WORK}/repository")
     file(REMOVE_RECURSE "${repository}")
     file(COPY "${SOURCE}/CMakeLists.txt" "${SOURCE}/LICENSE" "${SOURCE}/include" DESTINATION "${repository}")
@@ -77,7 +77,7 @@ elseif(WAY STREQUAL "fetch_content")
     file(WRITE "${WORK}/fetch.cmake" "set(GRAZE_REPOSITORY \"file://${repository}\")\n${snippet}")
     build_consumer("-DSNIPPET=${WORK}/fetch.cmake")
 elseif(WAY STREQUAL "single_header")
-    # What the target writes, and all that needs the standard library alone; no macro of it is left.
+    # The target's header, and one of all that needs only the standard library. Neither leaves a macro behind.
     run("${CMAKE_COMMAND}" --build "${BUILD}" --target single-header)
     file(COPY "${BUILD}/single/graze.hpp" DESTINATION "${WORK}/single/written/graze")
     set(OUT "${WORK}/single/all/graze/graze.hpp")
@@ -109,7 +109,7 @@ elseif(WAY STREQUAL "single_header")
         try("${CLANG}" written)
     endif()
 elseif(WAY STREQUAL "version")
-    # The version is that of CMakeLists.txt, wherever else it is written.
+    # The version is that of CMakeLists.txt everywhere.
     string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" series "${VERSION}")
     set(space "v${CMAKE_MATCH_1}_${CMAKE_MATCH_2}")
     function(expect file text)

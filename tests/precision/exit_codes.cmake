@@ -1,11 +1,11 @@
-# cmake -D PROGRAM=... -D WORK=directory -P exit_codes.cmake: each exit code, and each way to update, happens when it should.
+# cmake -D PROGRAM=... -D WORK=directory -P exit_codes.cmake: tests each exit code and each way to update.
 cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 set(few --pairs 8 --only /halved/double/generic --accepted "${WORK}/accepted" --results "${WORK}/the results")
 set(file "${WORK}/accepted/discriminant.accepted")
 
-# expect(code text argument...): the program ends with this code and says the text; GRAZE_PRECISION_UPDATE is ${how}.
+# expect(code text argument...): the program ends with this code and prints the text. GRAZE_PRECISION_UPDATE is ${how}.
 function(expect code text)
     set(ENV{GRAZE_PRECISION_UPDATE} "${how}")
     execute_process(COMMAND "${PROGRAM}" ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
@@ -16,7 +16,7 @@ function(expect code text)
     set(said "${said}" PARENT_SCOPE)
 endfunction()
 
-# repeat(label code text): so does the command that the last message names after the label.
+# repeat(label code text): the same for the command that the last message names after the label.
 function(repeat label code text)
     string(REGEX MATCH "${label}([^\n]*)" line "${said}")
     execute_process(COMMAND sh -c "${CMAKE_MATCH_1}" RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
@@ -26,7 +26,7 @@ function(repeat label code text)
     endif()
 endfunction()
 
-# change(pattern replacement): in the accepted figures.
+# change(pattern replacement): changes the accepted figures.
 function(change pattern replacement)
     file(READ "${file}" text)
     string(REGEX REPLACE "${pattern}" "${replacement}" changed "${text}")
@@ -49,7 +49,7 @@ set(how no)
 expect(0 "1 figure, 0 worse than accepted, 0 better; compiled by " ${few})
 file(READ "${file}" accepted)
 
-# Something worse, in each figure that gates.
+# A loss in each figure that can fail the test.
 change("generic 8 [0-9]+ 8 [0-9]+ [^ ]+" "generic 8 0 8 0 0.001")
 expect(1 "misrounded: 0 of 8 -> " ${few})
 expect(1 "largest error: 0.001 -> " ${few})
@@ -58,7 +58,7 @@ expect(1 "beside:   graze's own halved in as many digits, each operation rounded
 repeat("repeat: " 1 "largest error: 0.001 -> ")
 repeat("alone:  " 0 "discriminant/halved/double/kept.")
 expect(0 "A loss was expected" ${few} --expect-loss)
-# A tolerance lets errors grow by a share, and nothing else.
+# A tolerance allows errors to grow by a percentage, and nothing else.
 file(WRITE "${file}" "${accepted}")
 string(REGEX MATCH "generic 8 [0-9]+ 8 [0-9]+ ([^ ]+)" line "${accepted}")
 execute_process(COMMAND awk "BEGIN { printf \"%.6g\", 0.95 * ${CMAKE_MATCH_1} }" OUTPUT_VARIABLE smaller)
@@ -83,7 +83,7 @@ expect(4 "A LOSS WAS EXPECTED, and there is none" ${few} --expect-loss)
 change("\nhalved" "\n!halved")
 expect(4 "PASSED, though expected to fail" ${few})
 
-# A goal is none of the figures that an update replaces, and what is compared with another's is nothing to accept.
+# An update does not replace goals, and figures compared with another's are not accepted.
 change("generic 8 [0-9]+ 8 [0-9]+ [^ ]+" "generic 8 0 8 0 0.001")
 expect(0 "0 worse" ${few})
 file(READ "${file}" goal)
@@ -111,7 +111,7 @@ if(EXISTS "${WORK}/of_another_set")
     message(SEND_ERROR "--no-update updated")
 endif()
 
-# The files that a failure wrote repeat it.
+# The files that a failure writes reproduce it.
 file(GLOB shrunk "${WORK}/the results/*double*.txt")
 expect(0 "discriminant/halved/double/kept." --inputs ${shrunk} --only discriminant/halved/double/ --show)
 file(WRITE "${WORK}/first.txt" "# origin: this test\nball-ball 2 0x1p+2 0x0p+0 -0x1p+0 0x0p+0 0x1p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x1p+0\n")
@@ -124,7 +124,7 @@ if(NOT text MATCHES "made by: precision --inputs [^ ]*generic.txt --inputs first
     message(SEND_ERROR "not the command that made the figures:\n${text}")
 endif()
 
-# Nothing measured, accepted and not measured any more, and what cannot be understood.
+# Nothing measured; figures accepted but no longer measured; input that is not understood.
 expect(3 "NOTHING WAS MEASURED" --pairs 8 --only nonsense)
 change("\n$" "\nno/halved double generic 8 0 8 0 0 0\n")
 expect(3 "discriminant/no/halved/double/generic" ${few})

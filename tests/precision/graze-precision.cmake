@@ -3,36 +3,36 @@
 #     [HEADERS file...]       the headers that declare types and formulas, as <name> or as paths
 #     [FORMULAS formula...]   function objects (graze/precision/subject.hpp); all of graze's unless given
 #     [DECISIONS]             graze's decisions and contacts in float and double as well, which may never be wrong
-#     [FLAGS set...]          each a string of compiler flags by which the formulas are compiled, after the build's own;
-#                             "-O1 -ffp-contract=off" unless given, as graze's own figures are measured. FLAGS " " adds none
-#     [ACCEPTED folder]       of the accepted figures; graze's own where AS is given. Of several sets of flags the first
-#                             that is to lose nothing updates them, the others are compared with its
+#     [FLAGS set...]          each a string of compiler flags for the formulas, after the build's own; by default
+#                             "-O1 -ffp-contract=off", with which graze's own figures are measured. FLAGS " " adds none
+#     [ACCEPTED folder]       the folder of the accepted figures; with AS, graze's own. Of several sets of flags, the first
+#                             that should lose nothing updates them; the others are compared with its figures
 #     [AS variant/type]       compare with the accepted figures of this variant and this type; either may be left out
 #     [INPUTS path...]        files of kept pairs, or folders of them; graze's own unless given
 #     [LIBRARIES target...]   what the types need
 #     [DEFINITIONS name...]   macros for their headers
-#     [PAIRS n] [SEED n]      how many pairs of each family are drawn, and how: 400 and 1, and not with AS
+#     [PAIRS n] [SEED n]      the number of pairs drawn from each family, and the seed: 400 and 1; not with AS
 #     [THREADS n]
 #     [TOLERANCE p]           let the largest error exceed the accepted one by p percent; 0 unless given
-#     [LABELS label...]       of the tests
-#     [EXPECT_LOSS [flag...]] that nothing is lost is the failure; of flag sets, those with one of the flags
+#     [LABELS label...]       the tests' labels
+#     [EXPECT_LOSS [flag...]] the test fails if nothing is lost; with several sets, for those with one of the flags
 #     [EXCLUDE_FROM_ALL])     the programs are built when the tests run
-# makes for each set of flags a program and a test, name or name.1, name.2 ...; with several sets also name.flags, a test
-# that says which flag lost the precision. Needs GMP, for the exact values.
+# makes a program and a test for each set of flags, name or name.1, name.2 ...; for several sets also name.flags, a test
+# that says which flag lost the precision. Needs GMP for the exact values.
 #
 # graze_add_hard_case_search(name
 #     TYPES type... [HEADERS file...] [FORMULAS formula...] [DECISIONS] [LIBRARIES target...] [DEFINITIONS name...]
 #                             as above
-#     [FLAGS flags]           a string of compiler flags by which the formulas are compiled, after the build's own;
-#                             "-O1 -ffp-contract=off" unless given
-#     [EXCLUDE_FROM_ALL])     the program is built by its own target alone
-# makes a program that looks for hard cases of these formulas and is told the rest at its command line (--help). Its work
-# is counted in what is compiled from FORMULAS and TYPES, headers included. Needs GMP and CLI11.
+#     [FLAGS flags]           a string of compiler flags for the formulas, after the build's own; by default
+#                             "-O1 -ffp-contract=off"
+#     [EXCLUDE_FROM_ALL])     the program is built only by its own target
+# makes a program that searches for hard cases of these formulas; its command line says the rest (--help). Work is counted
+# in the code of FORMULAS and TYPES, headers included. Needs GMP and CLI11.
 include_guard(GLOBAL)
 set(GRAZE_PRECISION_FLAGS "-O1 -ffp-contract=off")
 set(GRAZE_PRECISION_SOURCES "${CMAKE_CURRENT_LIST_DIR}" CACHE INTERNAL "The sources of the precision suite")
 
-# What measures, compiled once and by the build's own flags without those that would spoil it.
+# The measuring code, compiled once, with the build's own flags except those that would spoil it.
 function(graze_precision_suite_library)
     if(TARGET graze_precision_suite)
         return()
@@ -55,14 +55,14 @@ function(graze_precision_suite_library)
         "${GRAZE_gmpxx_LIBRARY}" "${GRAZE_gmp_LIBRARY}" Threads::Threads)
     target_compile_options(graze_precision_suite PRIVATE -O1 -fno-fast-math -ffp-contract=off)
     set_target_properties(graze_precision_suite PROPERTIES UNITY_BUILD ON) # their headers take longer than they do
-    # All formulas in a number whose time is GMP's: of optimising them only the compiler would tell.
+    # All formulas in a number type whose time GMP takes: optimising them would only cost compile time.
     set_property(SOURCE "${GRAZE_PRECISION_SOURCES}/reference.cpp" APPEND PROPERTY COMPILE_OPTIONS -O0)
     if(TARGET graze_warnings) # the project's own build
         target_link_libraries(graze_precision_suite PRIVATE graze_warnings)
     endif()
 endfunction()
 
-# What searches, and the command line of a search, if there is CLI11.
+# The searching code, and the command line of a search, if CLI11 is installed.
 function(graze_hard_case_search_libraries)
     graze_precision_suite_library()
     find_package(CLI11 QUIET)
@@ -87,7 +87,7 @@ function(graze_hard_case_search_libraries)
     endforeach()
 endfunction()
 
-# Of arg_HEADERS, as lines of C++.
+# The #include lines of arg_HEADERS.
 function(graze_precision_includes out)
     set(includes "")
     foreach(file IN LISTS arg_HEADERS)
@@ -101,8 +101,8 @@ function(graze_precision_includes out)
     set(${out} "${includes}" PARENT_SCOPE)
 endfunction()
 
-# The sources of a program: one for each type, so that types are compiled side by side, and the main program, which
-# includes the header and returns the call.
+# The sources of a program: one for each type, so that they compile in parallel, and the main program, which includes the
+# header and returns the call.
 function(graze_precision_sources folder header call sources_out)
     graze_precision_includes(includes)
     set(declarations "")
@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
     set(${sources_out} "${sources}" PARENT_SCOPE)
 endfunction()
 
-# Words that cmake_parse_arguments would swallow or leave are told by their names.
+# Reports, by name, words that cmake_parse_arguments would swallow or leave over.
 function(graze_precision_check_words function unparsed without_value)
     if(unparsed)
         list(GET unparsed 0 word)
@@ -360,6 +360,6 @@ function(graze_add_hard_case_search name)
     target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
     separate_arguments(options UNIX_COMMAND "${arg_FLAGS}")
     list(REMOVE_AT sources 0)
-    # Not in the main program, and not in what counts: that would count itself.
+    # Not in the main program, nor in the counting code, which would count itself.
     set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS ${options} -fsanitize-coverage=trace-pc)
 endfunction()

@@ -1,11 +1,11 @@
-# cmake -D SOURCE=<repository> -D WORK=directory -D COMPILER=... -P words.cmake: what graze_add_precision_test and
-# graze_add_hard_case_search cannot understand is an error that names the word. And a number type without a conversion to
-# double is told what to specialise.
+# cmake -D SOURCE=<repository> -D WORK=directory -D COMPILER=... -P words.cmake: a word that graze_add_precision_test or
+# graze_add_hard_case_search does not understand is an error that names it. For a number type without a conversion to
+# double, the error says what to specialise.
 cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 
-# refuse(text call): a script with this call ends with an error that says the text.
+# refuse(text call): a script with this call ends with an error that contains the text.
 function(refuse text call)
     file(WRITE "${WORK}/call.cmake" "cmake_policy(VERSION 3.25)
 include(\"${SOURCE}/examples/compare/graze-compare.cmake\")

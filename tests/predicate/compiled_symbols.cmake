@@ -1,6 +1,6 @@
-# cmake -D NM=... -D WIDE=library -D OTHER=program -P compiled_symbols.cmake: whatever the units for wider registers define
-# has a name of their own, of the packs that fill such a register or of the functions that are theirs alone. Another
-# unit's function of the same name, which the linker may drop for theirs, might run on a machine without them.
+# cmake -D NM=... -D WIDE=library -D OTHER=program -P compiled_symbols.cmake: every symbol that the units for wider registers
+# define has a name of its own: that of a pack that fills such a register, or of a function that only they have. If another
+# unit had a function of the same name, the linker might keep theirs, and it might run on a machine without the registers.
 cmake_policy(VERSION 3.25)
 function(symbols_of file out)
     execute_process(COMMAND "${NM}" --demangle --defined-only "${file}" OUTPUT_VARIABLE listed
@@ -23,7 +23,7 @@ if(shared)
     list(JOIN shared "\n" shared)
     message(FATAL_ERROR "other units may have these as well:\n${shared}")
 endif()
-# And the program that is linked with them has none such by itself: they come from there.
+# The program that is linked with them defines none of these symbols itself.
 symbols_of("${OTHER}" other)
 list(FILTER other INCLUDE REGEX "pack<double, 4>|pack<float, 8>")
 list(REMOVE_ITEM other ${wide})

@@ -1,5 +1,5 @@
 #!/bin/sh
-# check.sh ROOT WORK: the script `graze` in a copy of the tree, with stand-ins for all that it would change or build.
+# check.sh ROOT WORK: tests the script `graze` in a copy of the tree, with stand-ins for all that it would change or build.
 # shellcheck disable=SC2016  # the stand-ins expand what is in single quotes
 set -eu
 root=$1 work=$2
@@ -10,7 +10,7 @@ printf '# remark\nhere\nabsent\n' >"$work/tree/.ci/packages-compare.txt"
 printf 'absent-too # remark\nunknown\n' >"$work/tree/.ci/packages-test.txt"
 printf 'absent-three\n' >"$work/tree/.ci/packages-report.txt"
 
-# Each stand-in writes down how it was called; only "here" is installed, "unknown" exists nowhere.
+# Each stand-in logs how it was called. Only "here" is installed; "unknown" does not exist.
 stand_in() { printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n%s\n' "$1" "$work" "$2" >"$work/bin/$1"; }
 stand_in dpkg-query 'case $* in *here) echo installed ;; *) exit 1 ;; esac'
 stand_in apt-cache 'case $* in *unknown) exit 100 ;; esac'
@@ -37,7 +37,7 @@ PATH=$work/bin:$PATH
 export PATH
 
 failures=0
-# run STATUS ARGUMENT...: calls graze from another directory.
+# run STATUS ARGUMENT...: runs graze from another directory.
 run() {
     expected=$1 status=0
     shift

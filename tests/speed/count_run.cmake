@@ -1,4 +1,4 @@
-# Instructions an event, by callgrind: the difference of two lengths.
+# Instructions for each event, by callgrind: the difference between two runs of different length.
 #   cmake -D PROGRAM=graze-run-count -P count_run.cmake
 function(count packing mechanics space events result)
     execute_process(COMMAND valgrind --tool=callgrind --callgrind-out-file=/dev/null ${PROGRAM} ${packing} ${events} ${mechanics} ${space}

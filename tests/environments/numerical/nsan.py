@@ -15,7 +15,7 @@ import sys
 FAMILIES = ["generic", "grazing", "far", "near_contact", "common_part"]
 FORMS = ["textbook", "halved", "kahan", "lagrange", "closest", "factored"]
 COUNT = 1000
-# Every report, and no allowance for values near 0: a discriminant may be small and matter.
+# All reports, without an allowance for values near 0: a small discriminant may matter.
 OPTIONS = "halt_on_error=0:symbolize=0:suppress_equal_stacks=0:log2_absolute_error_threshold=1000"
 
 

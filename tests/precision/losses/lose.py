@@ -40,7 +40,7 @@ _specification.loader.exec_module(mutate)
 BALLS = ["coefficients", "discriminant_in<variant::textbook>", "discriminant_in<variant::halved>",
          "discriminant_in<variant::kahan>", "discriminant_in<variant::lagrange>"]
 SOLUTIONS = ["solution_in<variant::textbook, root_form::printed>", "solution_in<variant::lagrange, root_form::stable>"]
-# The headers, and what of the regression is compiled for each.
+# The headers, and the part of the regression that is compiled for each.
 MEASURED = {
     "linear/vec.hpp": BALLS + SOLUTIONS, "formula/relative_motion.hpp": BALLS, "formula/quadratic.hpp": BALLS,
     "formula/discriminant.hpp": BALLS, "formula/roots.hpp": SOLUTIONS, "formula/contact.hpp": SOLUTIONS,
@@ -51,7 +51,7 @@ MEASURED = {
     "formula/solution.hpp": SOLUTIONS, "formula/solve_balls.hpp": SOLUTIONS, "formula/solve_plane.hpp": SOLUTIONS,
     "formula/solve_flat.hpp": SOLUTIONS,
 }
-# What no program of the regression runs.
+# Code that no program of the regression runs.
 NOT_MEASURED = {
     "-height / speed": "Eq. (33) as printed, which nothing but the errata uses",
     "q.a * numerator + q.h * denominator": "asked of exact coefficients alone",
@@ -204,7 +204,7 @@ class Regression:
             built = subprocess.run(command, capture_output=True, check=False, text=True)
             if built.returncode != 0:
                 return "stillborn", built.stderr
-            # All figures of these formulas, each once; lines of others are not asked for.
+            # All figures of these formulas, each once, without the lines of others.
             only = sum((["--only", f"/{n}/double/"] for n in self.names(formulas)), [])
             ran = subprocess.run([str(folder / "program"), "--accepted", str(PRECISION / "accepted"), "--kept",
                                   str(PRECISION / "inputs"), "--results", str(folder / "results"), "--quiet"] + only,

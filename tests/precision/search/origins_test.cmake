@@ -1,5 +1,5 @@
-# cmake -D PROGRAM=graze-search -D INPUTS=folder -P origins_test.cmake: what was found is found again, to the last bit, by
-# the command that stands above it. Not where work was searched: another compiler makes other basic blocks.
+# cmake -D PROGRAM=graze-search -D INPUTS=folder -P origins_test.cmake: each find is found again, to the last bit, by
+# the command above it. Not finds of work, since other compilers make other basic blocks.
 cmake_policy(VERSION 3.25)
 file(GLOB files "${INPUTS}/*.txt")
 set(found 0)

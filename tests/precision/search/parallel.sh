@@ -1,6 +1,6 @@
 #!/bin/sh
-# The same on the cores of one machine, or of several (--sshlogin), by GNU parallel. Given again, it goes on. What there
-# is is merged even if a shard found nothing or was stopped; the exit code then tells of it.
+# A search on the cores of one machine or of several (--sshlogin), by GNU parallel. The same command continues it. The
+# files are merged even if a shard found nothing or was stopped; the exit code then says so.
 #   sh tests/precision/search/parallel.sh 8 --goal farthest --figure encounter/lagrange.stable/double --tries 1000
 set -eu
 shards=${1:-$(nproc)} search=${GRAZE_SEARCH:-graze-search} status=0

@@ -5,7 +5,7 @@ file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 set(search --goal error --figure discriminant/careless/double --families generic,near_contact --evaluations 400 --tries 9)
 
-# expect(code text argument...): the program, run in ${WORK}, ends with this code and says the text; sets `said`.
+# expect(code text argument...): the program, run in ${WORK}, ends with this code and prints the text; sets `said`.
 function(expect code text)
     execute_process(COMMAND "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${WORK}"
         RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
@@ -16,7 +16,7 @@ function(expect code text)
     set(said "${said}" PARENT_SCOPE)
 endfunction()
 
-# refuse(text argument...): a mistake is told in one line, with exit code 2, and leaves every file as it is.
+# refuse(text argument...): a mistake is reported in one line, with exit code 2, and changes no file.
 function(refuse text)
     file(GLOB_RECURSE before "${WORK}/*")
     expect(2 "${text}" ${ARGN})
@@ -29,7 +29,7 @@ function(refuse text)
     endif()
 endfunction()
 
-# same(file file): what was found, without which shard found it.
+# same(file file): compares the finds, ignoring which shard found them.
 function(same one other)
     foreach(name IN ITEMS one other)
         file(READ "${WORK}/${${name}}" text_of_${name})
@@ -40,7 +40,7 @@ function(same one other)
     endif()
 endfunction()
 
-# Found, told by a command that finds it again, and read by the precision suite.
+# A find comes with a command that finds it again, and the precision suite reads it.
 expect(0 "kept in whole.txt, the first: error of " ${search} --out whole.txt)
 file(STRINGS "${WORK}/whole.txt" lines)
 list(FILTER lines INCLUDE REGEX "^# origin: own-search |^ball-ball ")
@@ -55,7 +55,7 @@ if(NOT said MATCHES "discriminant/careless/double/kept.whole")
     message(SEND_ERROR "the precision suite does not read what was found:\n${said}")
 endif()
 
-# Shards are the whole search: by hand, as Slurm's array runs them, and as GNU parallel does.
+# All shards together are the whole search: by hand, in Slurm's array, and by GNU parallel.
 set(files)
 foreach(shard RANGE 3)
     expect(0 "" ${search} --shard ${shard}/4 --out by-hand-${shard}.txt)
@@ -88,8 +88,8 @@ if(SH AND version MATCHES "^GNU parallel")
     same(whole.txt parallel/found.txt)
 endif()
 
-# Stopped by SIGTERM again and again, the same command ends with the same finds. The pauses need not hit any moment in
-# particular: whatever they hit, the end is the same.
+# If SIGTERM stops it again and again, the same command ends with the same finds. The pauses need not hit particular
+# moments: the result is the same for all.
 find_program(TIMEOUT timeout)
 if(TIMEOUT)
     set(longer --goal error --figure discriminant/careless/double --evaluations 3000 --tries 12)
@@ -146,7 +146,7 @@ foreach(range IN ITEMS 1 1:0.5 0:1 -1:1 1:inf 1e-3:1e3m)
     refuse("the least and the greatest magnitude expected" --figure discriminant/careless/double --lengths=${range})
 endforeach()
 
-# Within ranges: every number of what is found is in them, and the origin's command has them.
+# With ranges: every number of a find is within them, and the origin's command names them.
 expect(0 "kept in within.txt" ${search} --lengths 0.001:1000 --velocities 0.01:100 --out within.txt)
 file(STRINGS "${WORK}/within.txt" lines)
 list(FILTER lines INCLUDE REGEX "^# origin: |^ball-ball ")

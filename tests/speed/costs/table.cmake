@@ -1,11 +1,11 @@
 # cmake -D CXX=g++ -D PROGRAM=graze-costs -D COMPILED=graze-costs-compiled -D WORK=folder -P table.cmake: prints the table of
-# costs that README.md has: what the two programs measure, and what the unit of each contestant costs the compiler.
+# costs that README.md has: the times of both programs, and the time and size of compiling each contestant's unit.
 cmake_policy(VERSION 3.25)
 set(here "${CMAKE_CURRENT_LIST_DIR}")
 set(root "${here}/../../..")
 file(MAKE_DIRECTORY "${WORK}")
 
-# Of each figure: <contestant>_<question>.
+# A variable for each figure: <contestant>_<question>.
 foreach(program IN ITEMS PROGRAM COMPILED)
     execute_process(COMMAND "${${program}}" OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX MATCHALL "[^\n]+" lines "${lines}")
