@@ -115,6 +115,29 @@ TEST_CASE("what is certain without integers is what integers say") {
     }
 }
 
+TEST_CASE("edges that are all but along an axis, met far from their ends") {
+    using ball = graze::ball<3>;
+    using wall = graze::wall<3>;
+    seen s;
+    // Each has a component of the velocity that is within 2^-66 of the middle between two doubles.
+    const auto look_at_edge = [&s](const ball& b, const wall& w) { look(graze::detail::ball_and_wall<3>{}, s, w, b); };
+    look_at_edge({{0x1.1b5727373fff2p+18, -0x1.c5e7fabaa2b08p+1, -0x1.37a09a34c4a64p+1},
+                  {0x1.7be533d9f3826p-1, 0x1.0e387450ce513p-1, 0x1.c413ad5ab9dd8p-2},
+                  0x1.0ad12045ee01ep+0},
+                 {{0x1.c7cd9f1e279p-6, -0x1.179feaea8ac22p-1, -0x1.bd04d1a625324p-2},
+                  {{{0, 0, 1}, {0x1.6900d9830912p+18, -0x1.8025e5e26a6e6p-1, 0x1.3d9fc568f5c92p-1}}}});
+    for (const double radius : {0x1.f2afe8a33a518p-1, 0x1.f2afdfd9f8509p-1}) {
+        look_at_edge({{0x1.7274e7def6e12p+17, -0x1.5c9332a451af8p+1, -0x1.71b6c434cd57fp+1},
+                      {radius < 0x1.f2afe4p-1 ? 0x1.e8c95d19111a9p-1 : 0x1.e8c95d19111afp-1, 0x1.07a1a76173769p-1,
+                       0x1.c3e0e4535a9ep-2},
+                      radius},
+                     {{0x1.5194eb10a1442p-1, 0x1.1b666add7284p-2, -0x1.c6db10d3355fcp-1},
+                      {{{0, 0, 1}, {0x1.09f863681530ep+19, -0x1.0a406d610156cp-1, -0x1.d1ec00f9b0ef4p-2}}}});
+    }
+    CHECK(s.contacts >= 3);
+    CHECK(s.wrong == 0);
+}
+
 TEST_CASE("constant expressions give the same bits, by integers alone") {
     static constexpr graze::wall<3> w{{5, -3, -3}, {{{{0, 6, 0}}, {{0, 0, 6}}}}};
     static constexpr graze::ball<3> balls[] = {{{0, 0.3, 0.7}, {1, 0.1, -0.2}, 0.9},  // the face

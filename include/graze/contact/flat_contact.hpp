@@ -73,7 +73,8 @@ template <bool Fused, int N, class T>
 }
 
 // An edge of direction d, or a corner. y: the centre from it at the contact, off by `error` in each component. For an
-// edge the part of y along d is taken off, a third time as much error at most; where d is along an axis, exactly.
+// edge the part of y along d is taken off, a third time as much error at most; where d is along an axis, exactly. The
+// rest is split anew: a component may cancel to its low part, and products of two such parts are not small.
 template <bool Fused, int N, class T>
 [[gnu::always_inline]] inline void take_round_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
                                                       parts_vector<N> y, double error, const parts_vector<N>* d,
@@ -94,7 +95,8 @@ template <bool Fused, int N, class T>
             const auto along = product_in_parts<Fused>(dot_in_parts<Fused, N>(y, *d),
                                                        inverse_in_parts<Fused>(dot_in_parts<Fused, N>(*d, *d)));
             for (int i = 0; i < N; ++i) {
-                y.component[i] = sum_in_parts(y[i], negated(product_in_parts<Fused>(along, (*d)[i])));
+                const auto across = sum_in_parts(y[i], negated(product_in_parts<Fused>(along, (*d)[i])));
+                y.component[i] = two_sum(across.value, across.error);
             }
             error = 4 * error + 0x1p-95 * y.size();
         }
