@@ -8,8 +8,8 @@
 namespace graze::inline v0_1::detail {
 
 // |exact - value| <= error, but for the roundings of the error and for underflow, for which certain_sign has room: an
-// operation rounds its error at most five times, by less than 2^-51 in all, so fewer than 2^8 operations in a row miss
-// at most 2^-42 of it. A rounding is at most a part u = 2^-Bits: Bits is 53 to nearest, 52 in any direction. Contracted
+// operation rounds its error at most five times, by less than 2^-49 in all, so fewer than 2^8 operations in a row miss
+// at most 2^-41 of it. A rounding is at most a part u = 2^-Bits: Bits is 53 to nearest, 52 in any direction. Contracted
 // or not; sums are settled, since a bound holds for the order of its own sums.
 template <int Bits>
 class bounded_double {
