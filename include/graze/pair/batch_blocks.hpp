@@ -52,8 +52,8 @@ void require_size(const A& a, const B& b, std::size_t answers) {
     }
 }
 
-// The pairs of one block from `from` on, as many as whole registers hold; the rest are left open. Not inlined: it has
-// to read the numbers as memory holds them, whatever expression they came from.
+// The pairs of one block from `from` on, as many as whole registers hold; the rest are left open. `answers` are the
+// block's. Not inlined: it has to read the numbers as memory holds them, whatever expression they came from.
 template <class Question, class V, class A, class B>
 [[gnu::noinline]] void ask_lanes(const A& a, const B& b, std::size_t from, std::size_t count,
                                  typename Question::answer* answers,
@@ -63,7 +63,7 @@ template <class Question, class V, class A, class B>
     const auto each = [&](const auto& other) __attribute__((always_inline)) {
         for (; i + step <= count; i += step) {
             const auto found = Question::lanes(a.template lanes_from<V>(from + i), other(i));
-            found.store(answers + from + i);
+            found.store(answers + i);
             left.add(i, found.open);
         }
     };
@@ -128,8 +128,8 @@ void decide_all(const A& a, const B& b, std::span<typename Question::answer> ans
         for (std::size_t from = 0; from < answers.size(); from += block_size) {
             const std::size_t count = std::min(block_size, answers.size() - from);
             open_pairs left;
-            ask_widest_lanes<is_foreign<A> || is_foreign<B> ? 0 : Wider, Question>(a, b, from, count, answers.data(),
-                                                                                   left);
+            ask_widest_lanes<is_foreign<A> || is_foreign<B> ? 0 : Wider, Question>(a, b, from, count,
+                                                                                   answers.data() + from, left);
             settle<Question, Mode>(a, b, from, left, answers.data());
         }
     } else {
