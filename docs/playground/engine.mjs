@@ -30,7 +30,7 @@ export class Engine {
 
   // A run or a decision that ends the module (a state beyond the largest double) is an error; the module starts anew.
   async #start() {
-    const nothing = new Proxy({}, {get: () => () => 8}); // no files, no clock: whatever is asked for, it is not there
+    const nothing = new Proxy({}, {get: () => () => 8}); // no files and no clock: every request fails
     const instance = await WebAssembly.instantiate(this.#module, {wasi_snapshot_preview1: nothing, env: nothing});
     this.#graze = instance.exports;
     this.#graze._initialize();
@@ -50,7 +50,7 @@ export class Engine {
     }
   }
 
-  // The events of a scene: {time, who, chosen, after: [[x, y, u, v] or null of a and b]}, and how it ended.
+  // A scene's events {time, who, chosen, after: [of a, of b], each [x, y, u, v] or null}, and how the run ended.
   run(how, scene, most, until) {
     return this.#ask(graze => {
       const ball = b => [...b.position, ...b.velocity, b.radius, b.mass];
@@ -80,7 +80,7 @@ export class Engine {
     });
   }
 
-  // What becomes of two balls, for side × side positions of the first one, `step` apart: indices into `encounters`.
+  // The encounters of two balls for side × side positions of the first, `step` apart: indices into `encounters`.
   decide(how, [a, b], side, step) {
     return this.#ask(graze => {
       this.#giveBalls(a, b);

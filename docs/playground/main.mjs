@@ -1,4 +1,4 @@
-// The page: which scene is shown, and by which view.
+// The page: shows a scene by one of the views.
 import {Drawing} from './drawing.mjs';
 import {Engine} from './engine.mjs';
 import {module} from './graze_module.mjs';
@@ -15,7 +15,7 @@ const eventsOfOwn = 400;
 const table = {name: 'my scene', description: '', balls: [{position: [0.5, 0.5], velocity: [1, 0.75], radius: 0.0625, mass: 1}], planes: [],
   walls: [[0, 0, 2, 0], [2, 0, 0, 1], [0, 1, 2, 0], [0, 0, 0, 1]].map(([x, y, u, v]) => ({corner: [x, y], edge: [u, v]}))};
 
-// The module, gzipped, from its base 64.
+// The module from its gzipped base64 text.
 async function unpacked(base64) {
   const packed = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
@@ -30,7 +30,7 @@ export async function start(document) {
   let shown = null;
   const history = [];
 
-  // Shows a scene; its text, where it was written by hand, stays as it is.
+  // Shows a scene. A text written by hand is left unchanged.
   async function show(scene, text = writeScene(scene), most = eventsOfOwn, {remember = true} = {}) {
     if (remember && shown) history.push(shown);
     shown = {scene, text, most};
@@ -99,7 +99,7 @@ export async function start(document) {
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.draw());
   window.addEventListener('hashchange', open);
 
-  // The scene of the address; without one, the first.
+  // The scene in the address or, without one, the first.
   async function open() {
     const {hash} = window.location;
     if (shown && hash === fragmentOf(shown.text)) return;

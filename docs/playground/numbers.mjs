@@ -1,4 +1,4 @@
-// Numbers of scene files, read to the nearest double; and doubles written so that every bit shows.
+// Reads numbers of scene files to the nearest double, and writes doubles with every bit.
 
 const two = 2n;
 
@@ -10,7 +10,7 @@ function nearest(p, q) {
   let below = q;
   const length = n => n.toString(2).length;
   let shift = 66 - (length(above) - length(below)); // a quotient of at least 65 bits
-  shift = Math.min(shift, 1074 + 2); // but below the least double only a sticky bit is of interest
+  shift = Math.min(shift, 1074 + 2); // below the least double only a sticky bit matters
   if (shift >= 0) above <<= BigInt(shift); else below <<= BigInt(-shift);
   let quotient = above / below;
   if (quotient * below !== above) quotient |= 1n; // sticky
@@ -42,7 +42,7 @@ export function readNumber(value) {
   throw new Error(`“${text}” is no number`);
 }
 
-// 0x1.8p+3, of a double or of a float that is given as one: 13 hexadecimal digits or 6.
+// 0x1.8p+3, for a double, or for a float given as a double: 13 or 6 hexadecimal digits.
 export function hexadecimal(x, digits = 13) {
   if (!Number.isFinite(x) || x === 0) return String(x);
   const view = new DataView(new ArrayBuffer(8));
@@ -54,7 +54,7 @@ export function hexadecimal(x, digits = 13) {
   return `${x < 0 ? '-' : ''}0x${exponent === 0 ? 0 : 1}.${significand}p${power < 0 ? '' : '+'}${power}`;
 }
 
-// How many doubles lie from x to y; NaN if one of them is none.
+// The number of doubles from x to y; NaN if one of the two is a NaN.
 export function ulpsBetween(x, y) {
   const view = new DataView(new ArrayBuffer(8));
   const index = z => {

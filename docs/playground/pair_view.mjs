@@ -1,4 +1,4 @@
-// Two balls: what each arithmetic decides of every position near the first one's, down to the last bit.
+// Two balls: each arithmetic's decision for every position near the first ball's, down to the last bit.
 import {arithmetics, encounters} from './engine.mjs';
 import {hexadecimal, ulpsBetween} from './numbers.mjs';
 import {element, makePanels, say} from './panels.mjs';
@@ -59,12 +59,12 @@ export class PairView {
     } catch (error) {
       if (asked !== this.asked) return;
       if (!this.answers) throw error;
-      this.level = this.decided; // stays where it was
+      this.level = this.decided; // keep the level
       this.draw();
       this.page.verdict.textContent = `No farther: ${error.message}.`;
       return;
     }
-    if (asked !== this.asked) return; // another one has been put since
+    if (asked !== this.asked) return; // there has been another question since
     this.answers = answers;
     this.decided = this.level;
     this.chosen = this.#nearestWrong();
@@ -107,8 +107,8 @@ export class PairView {
     say(this.panels[0].note, encounters[this.answers[2][(side / 2) * side + side / 2]]);
   }
 
-  // Of the positions that doubles decide wrongly the one nearest the middle, if there are any of those where a hit is taken for
-  // a miss or the reverse; the middle if there is none.
+  // The position nearest the middle that doubles decide wrongly, preferably with a hit taken for a miss or the reverse; the
+  // middle if there is none.
   #nearestWrong() {
     const middle = side / 2;
     let best = {i: middle, j: middle, far: Infinity};
@@ -198,7 +198,7 @@ export class PairView {
     canvas.addEventListener('pointercancel', lift);
   }
 
-  // Where a scene is drawn into.
+  // The canvas, and the part of the plane that it shows, into which a scene is drawn.
   get drawing() {
     return {canvas: this.panels[0].canvas, view: this.view};
   }

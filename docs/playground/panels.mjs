@@ -1,6 +1,6 @@
 // The row of pictures: one for each arithmetic, and others beside them.
 
-// {root, canvas, note} of each title, in a fresh row.
+// Makes a new row and returns {root, canvas, note} for each title.
 export function makePanels(row, titles) {
   row.replaceChildren();
   return titles.map(({key, title, about}) => {

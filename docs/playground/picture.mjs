@@ -2,7 +2,7 @@
 
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
-// A canvas as wide as its place in the page, of that shape, in the screen's pixels; its unit is a CSS pixel.
+// Fits a canvas to its place in the page, in that shape and in the screen's pixels. Its unit is a CSS pixel.
 export function prepare(canvas, aspect) {
   const width = canvas.clientWidth || 300;
   const height = Math.round(width * aspect);
@@ -16,7 +16,7 @@ export function prepare(canvas, aspect) {
   return {pen, width, height};
 }
 
-// The part of the plane that a picture shows: all that the scene has and, where nothing holds a ball, where it goes.
+// The part of the plane that a picture shows: the whole scene and, if nothing holds the balls, where they go.
 export function viewOf(scene, paths) {
   const xs = [];
   const ys = [];
@@ -33,7 +33,7 @@ export function viewOf(scene, paths) {
   if (scene.walls.length === 0) for (const [x, y] of paths) add(x, y);
   let [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const size = Math.max(right - left, top - bottom, 1e-300);
-  const least = 0.28 * size; // neither a line nor a point
+  const least = 0.28 * size; // so that it is neither a line nor a point
   const grow = (low, high) => (high - low < least ? [(low + high - least) / 2, (low + high + least) / 2] : [low, high]);
   [left, right] = grow(left, right);
   [bottom, top] = grow(bottom, top);
@@ -43,14 +43,14 @@ export function viewOf(scene, paths) {
 
 const place = (view, scale) => (x, y) => [(x - view.left) * scale, (view.bottom + view.height - y) * scale];
 
-// Where a picture's point is in the scene.
+// The place in the scene of a point of the picture.
 export function scenePoint(canvas, view, event) {
   const box = canvas.getBoundingClientRect();
   const scale = box.width / view.width;
   return [view.left + (event.clientX - box.left) / scale, view.bottom + view.height - (event.clientY - box.top) / scale];
 }
 
-// balls: {x, y, u, v} of each now; trails: a list of points of each; met: indices of those whose event this is.
+// balls: each ball's {x, y, u, v} now; trails: each ball's list of points; met: the indices of the event's balls.
 export function drawScene(canvas, scene, view, {balls, trails, met, draft}) {
   const {pen, width} = prepare(canvas, view.height / view.width);
   const scale = width / view.width;
@@ -95,7 +95,7 @@ export function drawScene(canvas, scene, view, {balls, trails, met, draft}) {
   if (draft) line(draft.from, draft.to, colour('accent'), 2);
 }
 
-// answers: indices of encounters, row by row from the bottom; truth: those that are right.
+// answers: indices of encounters, row by row from the bottom; truth: the right ones.
 export function drawMap(canvas, answers, truth, side, names, chosen) {
   const {pen, width} = prepare(canvas, 1);
   const rgb = name => {

@@ -4,7 +4,7 @@ import {hexadecimal, ulpsBetween} from './numbers.mjs';
 import {element, makePanels, say} from './panels.mjs';
 import {drawScene, viewOf} from './picture.mjs';
 
-const trailEvents = 40; // so many events back, ways are drawn
+const trailEvents = 40; // ways are drawn for this many past events
 
 export class RunView {
   constructor(page, engine) {
@@ -54,7 +54,7 @@ export class RunView {
     this.page.play.setAttribute('aria-pressed', String(on));
   }
 
-  // The first event that an arithmetic has otherwise than graze.
+  // The first event in which an arithmetic differs from graze.
   parting(how) {
     const exact = this.runs[2].events;
     const other = this.runs[how].events;
@@ -63,7 +63,7 @@ export class RunView {
     return k === exact.length && other.length > k ? k : k < exact.length ? k : Infinity;
   }
 
-  // After so many events.
+  // Shows the state after this many events.
   goTo(index) {
     this.index = Math.min(this.count, Math.max(0, index));
     this.page.event.value = this.index;

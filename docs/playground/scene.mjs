@@ -1,4 +1,4 @@
-// Scenes: from and to the JSON that graze-compare reads, in the plane.
+// Scenes in the plane, to and from the JSON that graze-compare reads.
 import {readNumber} from './numbers.mjs';
 
 const keys = {
@@ -71,7 +71,7 @@ function readWall(wall, place) {
   return {corner: vector(wall.corner, `${place}/corner`), edge: nonZero(wall.edges[0], `${place}/edges/0`)};
 }
 
-// A scene of doubles. Throws an Error that names the place of what is wrong by its JSON pointer.
+// A scene of doubles. Throws an Error, which names the place of a mistake by its JSON pointer.
 export function readScene(text) {
   const json = JSON.parse(text);
   checkKeys(json, 'scene', '');
@@ -92,7 +92,7 @@ export function readScene(text) {
   return scene;
 }
 
-// The JSON of a scene, a line for each thing. Doubles are written with the digits that they need.
+// A scene's JSON, with a line for each thing. Doubles have as many digits as they need.
 export function writeScene(scene) {
   const line = x => JSON.stringify(x, (_, value) => (value === Infinity ? 'inf' : value)).replaceAll(',', ', ').replaceAll(':', ': ');
   const list = (name, items) => (items.length ? `,\n  "${name}": [\n    ${items.map(line).join(',\n    ')}\n  ]` : '');
@@ -106,7 +106,7 @@ export function writeScene(scene) {
   );
 }
 
-// The fragment of an address, and back.
+// To the fragment of an address, and back.
 export const fragmentOf = text => '#' + encodeURIComponent(JSON.stringify(JSON.parse(text)));
 export const textOfFragment = fragment => writeBack(decodeURIComponent(fragment.slice(1)));
 
@@ -114,5 +114,5 @@ function writeBack(text) {
   return JSON.stringify(JSON.parse(text), null, 1).replace(/\[\s+([^[\]{}]*?)\s+\]/g, (_, inner) => `[${inner.replace(/\s+/g, ' ')}]`);
 }
 
-// Two balls and nothing else: then every position near the first one's is of interest.
+// Whether it is two balls and nothing else; then every position near the first ball's is shown.
 export const isPair = scene => scene.balls.length === 2 && scene.planes.length + scene.walls.length === 0;

@@ -1,7 +1,7 @@
 // The scenes to choose from. Their texts are files of the repository, which the build puts into scene_texts.mjs.
 import {texts} from './scene_texts.mjs';
 
-// most: how many events are run.
+// most: the number of events to run.
 export const scenes = [
   {title: 'grazing pair', text: texts.grazing_pair, most: 1},
   {title: 'pool table', text: texts.pool_break, most: 400},

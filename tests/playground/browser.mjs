@@ -1,4 +1,4 @@
-// Chromium without a window, told what to do through a pipe by its DevTools protocol.
+// Headless Chromium, controlled through a pipe by its DevTools protocol.
 import {spawn} from 'node:child_process';
 
 export class Browser {
@@ -6,7 +6,7 @@ export class Browser {
   #waiting = new Map();
   #session;
   #number = 0;
-  faults = []; // what the page's console was told, and exceptions
+  faults = []; // the messages of the page's console, and exceptions
 
   static async open(chromium, profile) {
     const browser = new Browser();
@@ -42,7 +42,7 @@ export class Browser {
     return answer;
   }
 
-  // A page on a screen of that size, in light or in dark.
+  // Opens a page on a screen of this size, in light or dark mode.
   async goTo(url, {width, height, dark}) {
     await this.send('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: 1, mobile: width < 600});
     await this.send('Emulation.setTouchEmulationEnabled', {enabled: width < 600, maxTouchPoints: 2});
@@ -51,14 +51,14 @@ export class Browser {
     await this.send('Page.navigate', {url});
   }
 
-  // The value of a script in the page, which may be a promise.
+  // Runs a script in the page and returns its value, which may be a promise.
   async evaluate(expression) {
     const {result, exceptionDetails} = await this.send('Runtime.evaluate', {expression, awaitPromise: true, returnByValue: true});
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
 
-  // A key pressed, a drag of the mouse.
+  // Presses a key; drags the mouse.
   async key(key) {
     for (const type of ['keyDown', 'keyUp']) await this.send('Input.dispatchKeyEvent', {type, key});
   }
@@ -67,7 +67,7 @@ export class Browser {
       await this.send('Input.dispatchMouseEvent', {type, x: at[0], y: at[1], button: 'left', buttons: 1, clickCount: 1});
     }
   }
-  // Fingers, each from its first place to its last one by way of the others.
+  // Moves fingers, each through its list of places.
   async touch(...fingers) {
     const at = k => fingers.map((way, id) => ({x: way[k][0], y: way[k][1], id}));
     await this.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: at(0)});

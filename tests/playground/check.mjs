@@ -1,6 +1,6 @@
-// node check.mjs index.html chromium directory [graze-compare]: uses the playground as a person would, on a desk and on a telephone, and compares the
-// decisions of its pair with integers of any length, in which nothing is rounded. Leaves pictures and the scene that it drew in
-// the directory; that scene must be one that graze-compare reads. Ends with 1 if anything was not as expected.
+// node check.mjs index.html chromium directory [graze-compare]: uses the playground as a person would, on a desktop and on a telephone, and
+// compares the decisions about its pair with integers of any length, which round nothing. Leaves pictures and the scene that it drew
+// in the directory; graze-compare must accept that scene. Exit code 1 if anything was not as expected.
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import {mkdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
@@ -32,7 +32,7 @@ const click = selector => browser.evaluate(`document.querySelector(${JSON.string
 const shown = name => until(name, () => browser.evaluate(`document.body.dataset.shown === ${JSON.stringify(name)}`));
 const picture = async name => writeFileSync(join(folder, `${name}.png`), await browser.picture());
 
-// Nothing reaches out of the page, but for tables that scroll.
+// Nothing is wider than the page, except for tables that scroll.
 async function fits(what) {
   const out = await browser.evaluate(`[document.documentElement.scrollWidth > innerWidth ? 'the page scrolls sideways' : '',
     ...[...document.querySelectorAll('body *')].filter(e => !e.closest('.scroll') && e.getBoundingClientRect().right > innerWidth + 0.5)
@@ -40,7 +40,7 @@ async function fits(what) {
   assert.equal(out, '', `${what}: what reaches out of the page`);
 }
 
-// What becomes of two balls of the pair, the first one moved, in integers: all numbers are multiples of 2^-80.
+// The encounter of the pair's balls, with the first one moved, in integers: all numbers are multiples of 2^-80.
 function decided([a, b], dx, dy) {
   const scaled = x => BigInt(x * 2 ** 80);
   const minus = (p, q) => p.map((x, i) => scaled(x) - scaled(q[i]));
@@ -92,7 +92,7 @@ async function checkPair(screen) {
   await fits('pair');
 }
 
-// Two fingers zoom, one that taps asks about a place.
+// Two fingers zoom; a tap asks about a place.
 async function checkTouch(screen) {
   await open(screen);
   const box = await browser.evaluate(`(() => { const c = document.querySelector('[data-key=double] canvas'); c.scrollIntoView({block: 'center'});
@@ -111,7 +111,7 @@ async function checkTouch(screen) {
   await until('a tap asks about another place', async () => (await place()) !== before);
 }
 
-// title of the button, name of the scene, events, the last one's balls and time, and the event at which doubles part.
+// The button's title, the scene's name, its events, the last event's balls and time, and the event at which doubles go wrong.
 async function checkRun(title, name, events, who, time, parting) {
   await browser.evaluate(`[...document.querySelectorAll('#scenes button')].find(b => b.textContent === ${JSON.stringify(title)}).click()`);
   await shown(name);
@@ -147,7 +147,7 @@ async function checkSharing(screen) {
   await until('a fault is named', async () => (await text('#fault')) === '/balls/0/radius: a negative radius');
 }
 
-// Addresses that somebody else made.
+// Addresses made by somebody else.
 async function checkAddresses(screen) {
   const address = (balls, more = {}) => '#' + encodeURIComponent(JSON.stringify({dimension: 2, ...more, balls}));
   const ball = (x, u, radius = 1) => ({position: x, velocity: u, radius});
@@ -161,7 +161,7 @@ async function checkAddresses(screen) {
   await shown(name);
   assert.equal(await browser.evaluate(`document.querySelectorAll('img').length`), 0, 'names are text');
   assert.match(await text('#verdict'), /all 4,096 positions/);
-  // As far out as numbers go, one cannot zoom out.
+  // At the end of the numbers' range one cannot zoom out farther.
   await open(screen, address([ball([1e308, 0], [-1e308, 0]), ball([-1e308, 0], [1e308, 0])]));
   await browser.key('Home');
   await until('the end of the numbers is told', async () => (await text('#verdict')).startsWith('No farther: '));

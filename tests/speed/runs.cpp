@@ -1,7 +1,7 @@
-// graze-run-speed: what an event of a run costs, in graze's doubles beside plain ones, and from a hundred balls to a
-// hundred thousand. Processor time, of a fluid of the same density everywhere that has melted: each ball has collided
-// twenty times before the clock starts. Predicting all pairs at the start is not counted. And what it costs until balls
-// without planes have flown apart, so that nothing more will ever happen.
+// graze-run-speed: the cost of an event of a run, in graze's doubles beside plain ones, for a hundred to a hundred
+// thousand balls. Processor time, in a fluid of the same density that has melted: each ball has collided twenty times
+// before timing starts. Predicting all pairs at the start does not count. Also the cost until balls without planes have
+// flown apart, so that nothing more will ever happen.
 #include "runs/fluid_scene.hpp"
 
 #include <graze/number/floating.hpp>
@@ -21,21 +21,21 @@
 
 namespace {
 
-// A run that is advanced piece by piece.
+// A run that advances piece by piece.
 template <class M>
 class timed_run {
   public:
     explicit timed_run(int balls) : run_(make_fluid<3>(balls, 1).scene()) {
         run_.advance({.events = 10 * static_cast<std::uint64_t>(balls)});
     }
-    // Microseconds an event, of one a ball and no fewer than 20000: what is done from time to time is in it.
+    // Microseconds for each event, over as many events as balls but at least 20000, so that periodic work is included.
     double advance() {
         const std::clock_t start = std::clock();
         const auto done = run_.advance({.events = std::max<std::uint64_t>(20000, static_cast<unsigned>(run_.balls()))});
         const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         return seconds * 1e6 / static_cast<double>(done.events);
     }
-    // 1 on the lattice on which the fluid starts, about 0 where nothing is left of it.
+    // 1 on the lattice on which the fluid starts, about 0 if nothing of it is left.
     [[nodiscard]] double order() const {
         double sum = 0;
         for (int i = 0; i < run_.balls(); ++i) {
@@ -66,7 +66,7 @@ struct size_of_fluid {
     timed_run<graze::plain_mechanics<3, double>> in_plain;
     timed_run<graze::exact_mechanics<3>> in_exact;
     std::vector<double> plain, exact, ratios;
-    std::vector<double> growth_plain, growth_exact; // beside the cost at a thousand in the same round
+    std::vector<double> growth_plain, growth_exact; // relative to the cost at a thousand balls in the same round
 };
 
 void measure_flying_apart() {

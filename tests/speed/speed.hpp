@@ -26,18 +26,17 @@ struct pairs {
     [[nodiscard]] std::size_t size() const { return a.size(); }
 };
 
-// 4096 pairs in space, of which half recede and more than a quarter hit, in random order; their inputs are full
-// doubles.
+// 4096 pairs in space, in random order: half recede, and more than a quarter hit. The inputs are doubles with all their
+// bits.
 [[nodiscard]] const pairs& generic_pairs();
-// 65536 of them: too many for a branch predictor to learn the answers by heart, as it does with 4096 that are repeated.
+// 65536 of them: too many for a branch predictor to remember the answers, as it does when 4096 are repeated.
 [[nodiscard]] const pairs& many_pairs();
-// Pairs whose lengths have one exponent and whose velocities have one.
+// Pairs in which all lengths have the same exponent, and all velocities have.
 [[nodiscard]] const pairs& like_exponents();
-// Pairs whose every coordinate has an exponent of its own, over the range of doubles.
+// Pairs in which every coordinate has its own exponent, over the range of doubles.
 [[nodiscard]] const pairs& full_range();
 
-// Registers `group`/`name`: f(i) for each i below count, one item each. The first of a group is what the others are
-// divided by.
+// Registers `group`/`name`: f(i) for each i below count, each an item. The others of a group are divided by its first.
 template <class F>
 void compare(const std::string& group, const std::string& name, std::size_t count, F f) {
     benchmark::RegisterBenchmark((group + '/' + name).c_str(), [count, f](benchmark::State& state) {
@@ -94,6 +93,6 @@ void register_orders();
 void register_contacts();
 void register_flights();
 void register_flat();
-void register_cgal(); // where CGAL is there
+void register_cgal(); // if CGAL is installed
 
 } // namespace speed

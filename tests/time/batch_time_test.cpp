@@ -1,4 +1,4 @@
-// The times of a batch are those of the scalar functions, rounded whichever way; and of some pairs the oracle is asked.
+// A batch's times are those of the scalar functions, in every rounding mode. For some pairs the oracle is asked, too.
 #include "../oracle/encounter.hpp"
 #include "../predicate/batch_pairs.hpp"
 
@@ -15,14 +15,14 @@ namespace {
 
 using graze::rounding;
 
-// The registers of graze::compiled, if there are any.
+// The registers for which graze::compiled has code, if any.
 #if defined(__x86_64__)
 constexpr int wider = 32;
 #else
 constexpr int wider = 0;
 #endif
 
-// +0 and -0 differ.
+// Compares bits, so +0 and -0 differ.
 template <class T>
 bool same_bits(const std::vector<T>& x, const std::vector<T>& y) {
     using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;

@@ -28,8 +28,8 @@ using wall = graze::wall<N, double>;
 template <int N>
 using impact = graze::impact_time<N, double>;
 
-// Copied, moved, assigned, compared for equality and in order, with itself and with a number; but for the value that a
-// default would have.
+// A regular type without a default value: it can be copied, moved, assigned and compared, with itself and with a
+// number.
 template <class I, class T>
 concept time_value = std::copyable<I> && std::equality_comparable<I> &&
     std::three_way_comparable<I, std::strong_ordering> && std::three_way_comparable_with<I, I> &&
@@ -58,7 +58,8 @@ auto scene_pair(const A& a, const B& b) {
     return event<sizeof(a.position) / sizeof(double)>{answers::time_of(a, b).value(), oracle::meet(a, b).time.value()};
 }
 
-// Events of hard pairs: every family, every fourth of them an exact copy in another guise, so that ties abound.
+// Events of hard pairs from every family. One in four is a copy of another in a different form, so that ties are
+// frequent.
 template <int N>
 std::vector<event<N>> hard_events(std::size_t of_each) {
     std::vector<event<N>> all;
@@ -99,7 +100,7 @@ void check_order_of_all() {
             ties += order == 0 && &x != &y ? 1U : 0U;
         }
     }
-    CHECK(wrong == 0); // the order is the reals', so that it is transitive
+    CHECK(wrong == 0); // the order is that of real numbers, so it is transitive
     CHECK(one_sided == 0);
     CHECK(ties > all.size());
 }
@@ -129,7 +130,8 @@ void check_containers() {
     CHECK(std::is_sorted(sorted.begin(), sorted.end()));
 }
 
-// Two events: a tie whatever stage tells it; their order again with y's radius one unit in the last place beside.
+// Two events that are a tie, whatever stage decides; and their order after y's radius changes by one unit in the last
+// place.
 template <int N, class A, class B, class C, class D>
 void check_tie(const A& a, const B& b, const C& c, const D& d) {
     const auto x = scene_pair(a, b);
@@ -179,12 +181,12 @@ TEST_CASE("What is the same but for the axes, the place or the order is at the s
     check_tie<2>(flying, target, far, far_target);
     far.velocity = {{3 + 0x1p30, -0.25}};
     check_tie<2>(flying, target, far, ball<2>{far_target.position, {{0x1p30, 0}}, 1});
-    const ball<2> twice{{-10, 2}, {6, -0.5}, 2}; // all lengths and velocities
+    const ball<2> twice{{-10, 2}, {6, -0.5}, 2}; // with all lengths and velocities doubled
     check_tie<2>(flying, target, twice, ball<2>{{0, 0}, {0, 0}, 2});
 }
 
 TEST_CASE("Different kinds of things can be met at the same time") {
-    // A point at rest, the end of a wall that lies behind it, the corner of one in space.
+    // A point at rest; the end of a wall that lies behind it; the corner of a wall in space.
     const wall<2> behind{{0, 0}, {{{8, -1}}}};
     const wall<2> behind_from_its_end{{8, -1}, {{{-8, 1}}}};
     check_tie<2>(flying, point_at_rest, flying, behind);
@@ -200,7 +202,7 @@ TEST_CASE("Different kinds of things can be met at the same time") {
     check_tie<3>(flying_in_space, edge, flying_in_space, corner);
     check_tie<3>(flying_in_space, other_edge, flying_in_space, point_in_space);
 
-    // A plane and a wall's face in it, neither along an axis: the time is not rational.
+    // A plane, and a wall whose face is in it, along no axis: the time is not rational.
     const plane<2> line{{1, 1}, {1, 2}};
     const wall<2> part{{9, -3}, {{{-20, 10}}}};
     const ball<2> falling{{-3, 7}, {0.5, -1}, 0.75};
@@ -211,7 +213,7 @@ TEST_CASE("Different kinds of things can be met at the same time") {
     const ball<3> falling_in_space{{1.5, 4, 5}, {-0.5, -1, -2}, 0.75};
     check_tie<3>(falling_in_space, sheet, falling_in_space, patch);
 
-    // Now is now, whatever overlaps or touches.
+    // Everything that overlaps or touches now has the same time.
     const ball<2> inside{{0.5, 0}, {-1, 0}, 1};
     const ball<2> touching{{1, 0}, {-1, 0}, 1};
     CHECK(scene_pair(inside, point_at_rest).time == scene_pair(touching, point_at_rest).time);
@@ -247,7 +249,7 @@ TEST_CASE("A time against a number") {
     CHECK(three > limits::lowest());
     CHECK(three > limits::denorm_min());
 
-    // Beyond the range of doubles: 2^2046 or so, and below the least of them.
+    // Times beyond the range of doubles: about 2^2046, and below the least double.
     const ball<2> slow{{limits::max(), 0}, {-limits::denorm_min(), 0}, 0};
     const auto late = scene_pair(slow, point_at_rest).time;
     CHECK(late > limits::max());
@@ -270,11 +272,11 @@ TEST_CASE("A time against a number") {
     CHECK(*whole < 3);
     CHECK(*whole < std::numeric_limits<std::int64_t>::max());
     CHECK(*whole > std::numeric_limits<std::int64_t>::min());
-    CHECK(*whole == 2.5); // not converted to an integer first
+    CHECK(*whole == 2.5); // 2.5 is not converted to an integer first
     CHECK(*whole == 2.5F);
     CHECK(*whole < 2.5000000000000004);
 
-    // A third of a double that no float is.
+    // A third of a double that is no float.
     const auto narrow =
         graze::time_of_impact(graze::ball<2, float>{{5, 0}, {-3, 0}, 0}, graze::ball<2, float>{{0, 0}, {0, 0}, 0});
     CHECK(*narrow > 1.6666666);
@@ -284,7 +286,7 @@ TEST_CASE("A time against a number") {
     CHECK(*narrow > 1U);
     CHECK(*narrow > 1LL);
 
-    // 2^53 and one more, which a double does not hold.
+    // 2^53 + 1, which no double holds.
     const auto exact = graze::time_of_impact(graze::ball<2, std::int64_t>{{9007199254740993, 0}, {-1, 0}, 0},
                                              graze::ball<2, std::int64_t>{{0, 0}, {0, 0}, 0});
     CHECK(*exact == std::int64_t{9007199254740993});

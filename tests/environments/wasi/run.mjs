@@ -1,4 +1,4 @@
-// node run.mjs program.wasm [argument]...: runs a WebAssembly program, which may read the files of this machine by their full names.
+// node run.mjs program.wasm [argument]...: runs a WebAssembly program, which may read this machine's files by their absolute paths.
 import {readFile} from 'node:fs/promises';
 import {WASI} from 'node:wasi';
 
