@@ -19,8 +19,8 @@ struct vec;
 namespace detail {
 
 // ± Σ digit_i 2^(64 (low + i)) with digits in [-2^63, 2^63), the first and the last not 0. The sign is that of the last
-// digit, since all others amount to less than its unit. Numbers with exponents far apart have zeros in between, which
-// cost a product nothing. It is a value: its digits are in a workspace or are constants, and never change.
+// digit, since all others amount to less than its unit. A sum of numbers with exponents far apart has zeros in between,
+// which cost a product nothing. It is a value: its digits are in a workspace or are constants, and never change.
 class big_integer {
   public:
     constexpr big_integer() noexcept = default;

@@ -16,7 +16,7 @@
 namespace graze::inline v0_1::detail {
 
 // near - error <= τ <= near + error, with these ends as computed in any rounding mode. An unknown error is the largest
-// double, and τ may then lie beyond. No finite time in T does; an infinity would be no value at all under -ffast-math.
+// double, and τ may then be beyond. No finite time in T is; an infinity would be no value at all under -ffast-math.
 // An error that is neither 0 nor unknown is larger than necessary by 2^-50 of near + error, and so by more than all
 // roundings of these sums and of is_apart_from.
 struct enclosure {

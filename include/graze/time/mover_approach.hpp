@@ -84,7 +84,7 @@ template <moving B>
     }
 }
 
-// When two movers meet, near `near` from their start. If not good, nothing is known.
+// When two movers meet, at about `near` from their start. If not good, nothing is known.
 struct time_in_doubles {
     bounded<double> time;
     bool good;
