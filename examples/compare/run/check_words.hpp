@@ -82,7 +82,7 @@ template <int N, flat_shape W>
     certified left = 1; // in a triangle: 1 less the shares so far
     for (std::size_t i = 0; i < w.edge.size(); ++i) {
         const vector_of<N> from = x - w.corner, &e = w.edge[i];
-        vector_of<N> across = e; // a vector in the wall's plane, normal to its other edge
+        vector_of<N> across = e; // in space: in the wall's plane, normal to the other edge
         if constexpr (N == 3) {
             across = graze::cross(w.edge[1 - i], normal_of<N>(w));
         }
