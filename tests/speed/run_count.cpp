@@ -1,9 +1,10 @@
 // graze-run-count, for a program that counts instructions: a fluid of 500 hard spheres melts for 10 events a ball, then
-// runs for the given number of events. [count_run.cmake]
+// runs for the given number of events [count_run.cmake]. Or the first event among 10,976 balls is found.
 #include <graze/number/floating.hpp>
 #include <graze/run/exact_mechanics.hpp>
 #include <graze/run/plain_mechanics.hpp>
 #include <graze/run/run.hpp>
+#include <graze/scene/first_events.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -65,10 +66,16 @@ void run(const fluid& f, std::uint64_t events) {
 
 } // namespace
 
-// graze-run-count packing events exact|plain planes|periodic
+// graze-run-count packing events exact|plain planes|periodic, or graze-run-count packing first
 int main(int argc, char** argv) {
+    if (argc == 3 && std::string_view(argv[2]) == "first") {
+        const fluid f = lattice(14, std::atof(argv[1]), false);
+        const auto first = graze::first_events(graze::scene<3>{.balls = f.balls, .planes = f.planes});
+        std::cout << first.events.size() << " events of " << f.balls.size() << " balls\n";
+        return 0;
+    }
     if (argc != 5) {
-        std::cerr << "graze-run-count packing events exact|plain planes|periodic\n";
+        std::cerr << "graze-run-count packing events exact|plain planes|periodic, or graze-run-count packing first\n";
         return 2;
     }
     const fluid f = lattice(5, std::atof(argv[1]), std::string_view(argv[4]) == "periodic");
