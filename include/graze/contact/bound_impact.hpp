@@ -127,7 +127,7 @@ template <bool Fused, moving B, class F>
 [[nodiscard, gnu::always_inline]] inline bool bound_hit(const B& a, const B& b, double mass_a, double mass_b,
                                                         double time, F& take) noexcept {
     const lane_movers f = lane_movers_of<Fused>(a, b);
-    const auto r = approach_near<Fused>(f.motion, time, f.length2);
+    const auto r = approach_near<Fused, dimension_of<B>>(f.motion, time, f.length2);
     if (!(r.sharp && is_usable_mass(mass_a) && is_usable_mass(mass_b))) [[unlikely]] {
         return false;
     }

@@ -25,7 +25,7 @@ struct position_step {
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] bool operator()(std::bool_constant<Fused>) const noexcept {
         const lane_movers f = lane_movers_of<Fused>(pair.a, pair.b);
-        const auto r = approach_near<Fused>(f.motion, time, f.length2);
+        const auto r = approach_near<Fused, N>(f.motion, time, f.length2);
         if (!(r.good && r.sharp)) {
             return false;
         }

@@ -53,7 +53,7 @@ template <bool Fused, int N>
     const double t0 = settled(-dot(m.x01.value, m.xR2.value, m.u01.value, m.u_2.value) * inverse);
 
     const auto near01 = displacement(m.x01, m.u01, as_factor<Fused>(both(t0)));
-    const auto near_2 = displacement(m.xR2, m.u_2, as_factor<Fused>(both(t0)));
+    const auto near_2 = N == 3 ? displacement(m.xR2, m.u_2, as_factor<Fused>(both(t0))) : lane_displacement<Fused>{};
     const lanes y01 = near01.high.value + near01.low;
     const lanes y_2 = near_2.high.value + near_2.low;
     const double h0 = dot(y01, y_2, m.u01.value, m.u_2.value);

@@ -97,7 +97,7 @@ struct time_by_doubles {
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
         const lane_movers m = lane_movers_of<Fused>(*a, *b);
-        const auto r = approach_near<Fused>(m.motion, near, m.length2);
+        const auto r = approach_near<Fused, dimension_of<B>>(m.motion, near, m.length2);
         return {on_clock_of(*a, *b, r.time()), r.good};
     }
 };
@@ -116,7 +116,7 @@ struct time_of_scaled {
         scale(m.xR2, by_length);
         scale(m.u01, by_velocity);
         scale(m.u_2, by_velocity);
-        const auto r = approach_near<Fused>(m, near);
+        const auto r = approach_near<Fused, N>(m, near);
         return {r.time(), r.good};
     }
 

@@ -140,9 +140,11 @@ struct newton_approach {
 // So error >= 31 u |t1| and error >= 2^-99.1 t0, on which further bounds rest; these also need γ < 2^40 and |t1| <
 // 2^-50 L²/σ (sharp, of which good follows), and then 1 <= 0.51 γ and L V/σ <= 0.715 γ.
 //
+// In the plane the third components are 0, and so is what they would add.
+//
 // length2 may be more than L². Then Δx may be off as well, by 8.1 u² of that length: this makes 2.01·0.71·8.1 u² of
 // length2 more in f, 175 in place of 163, and error bounds it still.
-template <bool Fused, class L>
+template <int N = 3, bool Fused, class L>
 [[nodiscard, gnu::always_inline]] inline newton_step<L>
 step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y01,
           const lane_displacement<Fused, L>& yR2, const number_of<L>& length2) noexcept {
@@ -150,9 +152,12 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
     const auto f = distance_residual(y01, yR2);
     const number residual = settled(settled(f.value[0] + f.value[1]) + (f.error[0] + f.error[1]));
 
-    const L along = y01.high.value * m.u01.value + yR2.high.value * m.u_2.value;
+    const auto with_third = [](const L& x01, const L& x_2) __attribute__((always_inline)) {
+        return N == 3 ? L(x01 + x_2) : x01;
+    };
+    const L along = with_third(y01.high.value * m.u01.value, yR2.high.value * m.u_2.value);
     const number sigma = -(along[0] + along[1]);
-    const L squares = m.u01.value * m.u01.value + m.u_2.value * m.u_2.value;
+    const L squares = with_third(m.u01.value * m.u01.value, m.u_2.value * m.u_2.value);
     const number speed2 = squares[0] + squares[1];
     const number inverse = 1 / sigma;
     const number t1 = settled(residual * (0.5 * inverse));
@@ -169,15 +174,17 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
             hold_together(in_range, sensitivity < 0x1p80, 0x1p10 * (speed2 * magnitude) < sigma),
             hold_together(in_range, sensitivity < 0x1p40, 0x1p50 * magnitude < way)};
 }
-template <bool Fused>
+template <bool Fused, int N = 3>
 [[nodiscard, gnu::always_inline]] inline newton_approach<Fused> approach_near(const lane_motion& m, double time,
                                                                               double length2) noexcept {
     newton_approach<Fused> r;
     r.motion = m;
     r.t0 = as_factor<Fused>(both(time));
     r.y01 = displacement(m.x01, m.u01, r.t0);
-    r.yR2 = displacement(m.xR2, m.u_2, r.t0);
-    const auto step = step_from(m, r.y01, r.yR2, length2);
+    r.yR2 = N == 3
+                ? displacement(m.xR2, m.u_2, r.t0)
+                : lane_displacement<Fused>{as_factor<Fused>(m.xR2.value), m.xR2.error, as_factor<Fused>(m.u_2.value)};
+    const auto step = step_from<N>(m, r.y01, r.yR2, length2);
     r.t1 = step.t1;
     r.error = step.error;
     r.sensitivity = step.sensitivity;
@@ -195,10 +202,10 @@ template <class L>
     const L sum2 = x01 + xR2;
     return sum2[0] + sum2[1];
 }
-template <bool Fused>
+template <bool Fused, int N = 3>
 [[nodiscard, gnu::always_inline]] inline newton_approach<Fused> approach_near(const lane_motion& m,
                                                                               double time) noexcept {
-    return approach_near<Fused>(m, time, squared_length(m));
+    return approach_near<Fused, N>(m, time, squared_length(m));
 }
 
 } // namespace graze::inline v0_1::detail

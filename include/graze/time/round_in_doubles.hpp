@@ -25,7 +25,7 @@ struct time_of_row {
     }
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
-        const auto r = approach_near<Fused>(motion(), time);
+        const auto r = approach_near<Fused, N>(motion(), time);
         return {r.time(), r.good};
     }
 };
@@ -46,7 +46,7 @@ struct hard_time_of_row : time_of_row<N, U> {
             const decided_approach r = approach_from_near<Fused>(m, length2);
             return {r.time(), r.is_hit()};
         }
-        const auto r = approach_near<Fused>(m, this->time, length2);
+        const auto r = approach_near<Fused, N>(m, this->time, length2);
         return {r.time(), r.good};
     }
 };
