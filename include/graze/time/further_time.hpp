@@ -25,17 +25,16 @@ struct further_time {
 template <int N>
 struct approach_in_words {
     const flight<N, double>*a, *b;
+    further_time* kept;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] further_time operator()(std::bool_constant<Fused>) const noexcept {
+    [[gnu::always_inline]] void operator()(std::bool_constant<Fused>) const noexcept {
         const word_approach<Fused, flight<N, double>> w(*a, *b);
-        further_time r;
-        r.what = w.what;
-        r.decided_by = stage::double_word;
-        r.good = w.good;
-        r.in_range = w.in_range;
-        r.time = on_clock_of(*a, *b, {w.time.high, w.time.low, (1 + 0x1p-40) * w.time_error});
-        return r;
+        kept->what = w.what;
+        kept->decided_by = stage::double_word;
+        kept->good = w.good;
+        kept->in_range = w.in_range;
+        kept->time = on_clock_of(*a, *b, {w.time.high, w.time.low, (1 + 0x1p-40) * w.time_error});
     }
 };
 
@@ -92,11 +91,8 @@ template <class F>
     if (filtered.what() != encounter::hit) {
         return true;
     }
-    const auto found =
-        with_best_products(step_near(root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant))));
-    r.good = found.good;
-    r.time = found.time;
-    return found.good;
+    with_best_products(step_near(root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant))));
+    return r.good;
 }
 // For movers in range, if the filter is certain of them.
 template <moving B>
@@ -104,26 +100,27 @@ template <moving B>
     const auto filtered = start_filter(a, b).finish();
     return filtered.certain && step_time(
                                    r, filtered, [&](double near) __attribute__((always_inline)) {
-                                       return time_by_doubles<B>{&a, &b, near};
+                                       return time_by_doubles<B, further_time>{&a, &b, near, &r};
                                    });
 }
 // For balls in unusual units.
 template <int N>
-[[nodiscard, gnu::always_inline]] inline bool filter_scaled_time(further_time& r, const ball<N, double>& a,
-                                                                 const ball<N, double>& b) noexcept {
+[[nodiscard, gnu::noinline]] bool filter_scaled_time(further_time& r, const ball<N, double>& a,
+                                                     const ball<N, double>& b) noexcept {
     const scaled_motion s(a, b);
     const auto filtered = filter_scaled(s);
     r.unit = s.length - s.velocity;
-    return filtered.certain && step_time(
-                                   r, filtered, [&](double near) __attribute__((always_inline)) {
-                                       return time_of_scaled<N>{&a, &b, s.by_length, s.by_velocity, near};
-                                   });
+    return filtered.certain &&
+           step_time(
+               r, filtered, [&](double near) __attribute__((always_inline)) {
+                   return time_of_scaled<N, further_time>{&a, &b, s.by_length, s.by_velocity, near, &r};
+               });
 }
 template <moving B>
-[[nodiscard, gnu::always_inline]] inline further_time words_time(const B& a, const B& b) noexcept {
+[[gnu::always_inline]] inline void words_time(further_time& r, const B& a, const B& b) noexcept {
     const auto& x = as_flight(a);
     const auto& y = as_flight(b);
-    return with_best_products(approach_in_words<dimension_of<B>>{&x, &y});
+    with_best_products(approach_in_words<dimension_of<B>>{&x, &y, &r});
 }
 
 // What has been tried before: the filter alone, or a step from an enclosure's time as well. `time`: the movers hit, and
@@ -132,61 +129,70 @@ enum class tried { filter, step, time };
 
 // By steps and words, scaled if necessary; needs rounding to nearest.
 template <moving B>
-[[nodiscard, gnu::always_inline]] inline further_time time_by_words(const B& a, const B& b, bool is_usual,
-                                                                    tried before) noexcept {
-    further_time r;
+[[gnu::always_inline]] inline void time_by_words(further_time& r, const B& a, const B& b, bool is_usual,
+                                                 tried before) noexcept {
     if (is_usual) {
         if constexpr (is_flight<B>) {
             if (before == tried::time && filter_time(r, a, b)) {
-                return r;
+                return;
             }
         }
-        r = words_time(a, b);
+        words_time(r, a, b);
         if (r.in_range) {
-            return r;
+            return;
         }
-    }
-    if constexpr (!is_flight<B>) {
-        if (filter_scaled_time(r, a, b)) {
-            return r;
+        if constexpr (!is_flight<B>) {
+            if (filter_scaled_time(r, a, b)) {
+                return;
+            }
         }
     }
     const scaled_movers<B> s = scaled(a, b);
     if (!s.known) {
-        return {};
+        r.what = undecided;
+        return;
     }
+    r.unit = s.length - s.velocity;
     if constexpr (is_flight<B>) {
         if (filter_time(r, s.a, s.b)) {
-            r.unit = s.length - s.velocity;
-            return r;
+            return;
         }
     }
-    r = words_time(s.a, s.b);
-    r.unit = s.length - s.velocity;
-    return r;
+    words_time(r, s.a, s.b);
 }
 
 // For movers whose radii are not negative.
 template <moving B>
 [[nodiscard, gnu::noinline]] further_time find_further_time(const B& a, const B& b, tried before) noexcept {
+    further_time r;
     if constexpr (std::same_as<number_in<B>, float>) {
-        return keeps_subnormals() ? find_further_time(in_doubles(a), in_doubles(b), before) : further_time{};
+        if (keeps_subnormals()) {
+            return find_further_time(in_doubles(a), in_doubles(b), before);
+        }
     } else {
         const bool is_usual = has_usual_size(a, b);
         if (before == tried::filter && is_usual) {
-            further_time r;
             if (refine_time(r, a, b) && r.what != undecided &&
                 (r.what != static_cast<int>(encounter::hit) || r.bounds.is_known())) {
                 return r;
             }
+            r = further_time{};
         }
         if constexpr (has_error_free_doubles) {
+            if constexpr (!is_flight<B>) {
+                // where subnormals become zeros, the loss is that of a safe scaling
+                if (!is_usual && adds_to_nearest() && filter_scaled_time(r, a, b)) {
+                    return r;
+                }
+            }
             if (rounds_to_nearest()) {
-                return time_by_words(a, b, is_usual, before);
+                time_by_words(r, a, b, is_usual, before);
+            } else {
+                r.what = undecided;
             }
         }
-        return {};
     }
+    return r;
 }
 
 // That time rounded; none where a doubt is left.

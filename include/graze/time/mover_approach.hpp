@@ -89,35 +89,40 @@ struct time_in_doubles {
     bounded<double> time;
     bool good;
 };
-template <moving B>
+// Both write their answer where it is kept: a copy would wait for its parts.
+template <moving B, class Kept>
 struct time_by_doubles {
     const B *a, *b;
     double near;
+    Kept* kept;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
+    [[gnu::always_inline]] void operator()(std::bool_constant<Fused>) const noexcept {
         const lane_movers m = lane_movers_of<Fused>(*a, *b);
         const auto r = approach_near<Fused, dimension_of<B>>(m.motion, near, m.length2);
-        return {on_clock_of(*a, *b, r.time()), r.good};
+        kept->time = on_clock_of(*a, *b, r.time());
+        kept->good = r.good;
     }
 };
 
 // The same for two balls whose lengths and velocities are multiplied by powers of two. `near` and the time are in those
 // units.
-template <int N>
+template <int N, class Kept>
 struct time_of_scaled {
     const ball<N, double>*a, *b;
     double by_length, by_velocity, near;
+    Kept* kept;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
+    [[gnu::always_inline]] void operator()(std::bool_constant<Fused>) const noexcept {
         lane_motion m = lane_motion_of(*a, *b);
         scale(m.x01, by_length);
         scale(m.xR2, by_length);
         scale(m.u01, by_velocity);
         scale(m.u_2, by_velocity);
         const auto r = approach_near<Fused, N>(m, near);
-        return {r.time(), r.good};
+        kept->time = r.time();
+        kept->good = r.good;
     }
 
   private:
