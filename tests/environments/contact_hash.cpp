@@ -224,16 +224,16 @@ tally run_batches(std::uint64_t count) {
     return t;
 }
 
-// Makes a batch for each pair's plane, so that the ball is asked about as often as a register has lanes.
-template <int N, class T>
-tally run_plane_batches(std::uint64_t count) {
+// Makes a batch for each pair's plane or wall, so that the ball is asked about as often as a register has lanes.
+template <partner P, int N, class T>
+tally run_batches_beside(std::uint64_t count) {
     tally t;
     hash h;
     for (std::uint64_t index = 0; index < count; ++index) {
-        const auto numbers = draw_numbers<partner::plane, N, T>(index);
-        with_shapes<partner::plane, N>(numbers.data(), [&](const auto& x, const auto& plane) {
-            if (graze::try_classify(x, plane).has_value()) {
-                batch_answers<T>(std::vector(8, x), plane).add(t, h, 3);
+        const auto numbers = draw_numbers<P, N, T>(index);
+        with_shapes<P, N>(numbers.data(), [&](const auto& x, const auto& shape) {
+            if (graze::try_classify(x, shape).has_value()) {
+                batch_answers<T>(std::vector(8, x), shape).add(t, h, 3);
             } else {
                 h.add(std::uint64_t{2});
             }
@@ -246,7 +246,8 @@ tally run_plane_batches(std::uint64_t count) {
 template <int N, class T>
 void add_batches(std::vector<hashed_subject>& subjects) {
     subjects.push_back({subject_name<N, T>(times_of::name, name_of(partner::ball)), run_batches<N, T>});
-    subjects.push_back({subject_name<N, T>(times_of::name, name_of(partner::plane)), run_plane_batches<N, T>});
+    subjects.push_back(
+        {subject_name<N, T>(times_of::name, name_of(partner::plane)), run_batches_beside<partner::plane, N, T>});
 }
 
 // All pair kinds in one dimension and type.
@@ -259,6 +260,8 @@ void add_all(std::vector<hashed_subject>& subjects) {
     add<times_of, partner::plane, N, T>(subjects);
     add<times_of, partner::wall, N, T>(subjects);
     add_batches<N, T>(subjects);
+    subjects.push_back(
+        {subject_name<N, T>(times_of::name, name_of(partner::wall)), run_batches_beside<partner::wall, N, T>});
 }
 
 } // namespace

@@ -57,9 +57,8 @@ inline constexpr bool rules_out_in_lanes = [] {
 // Leaves open the others.
 template <int Wider, class A, class B, class T>
 void rule_out(const A& a, const B& b, std::size_t from, std::size_t count, T* time, open_pairs& left) {
-    std::array<encounter, block_size> what;
+    std::array<encounter, block_size> what{};
     ask_widest_lanes<Wider, batch_classify>(a, b, from, count, what.data(), left);
-    left.each([&what](std::size_t k) { what[k] = encounter::hit; });
     for (std::size_t k = 0; k < count; ++k) {
         if (is_collision(what[k])) {
             left.add(k, 1);
