@@ -174,4 +174,122 @@ TEST_CASE("those that overlap are found among all") {
     CHECK(pairs > 100);
 }
 
+namespace {
+
+// In multiples of 1/8, so that images are where they are exactly; in any period.
+struct periodic_scene {
+    std::vector<graze::ball<2>> balls;
+    std::vector<graze::plane<2>> planes;
+    std::vector<graze::wall<2>> walls;
+    graze::vec<2, double> period;
+
+    periodic_scene() {
+        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        const auto below = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+        const auto any = [&](int most) { return 0.125 * (below(2 * most + 1) - most); };
+        const bool slit = below(2) == 0;
+        period = {static_cast<double>(4 + below(6)), slit ? 0.0 : 4 + below(6)};
+        for (int i = 1 + below(8); i > 0; --i) {
+            balls.push_back({{any(80), any(slit ? 40 : 80)}, {any(8), any(8)}, 0.125 * below(8), 1});
+        }
+        for (int i = below(2) * below(3); i > 0; --i) {
+            walls.push_back({{any(60), any(60)}, {{{any(16), 0.125 + 0.125 * below(16)}}}});
+        }
+        if (slit) {
+            planes = {{{0, -6}, {0, 1}}, {{3, 6}, {0, -2}}};
+        }
+    }
+    [[nodiscard]] graze::scene<2> view() const { return {balls, planes, walls, period}; }
+
+    // f(who, ball, image) for each ball and all parts that have images, up to seven periods from themselves.
+    template <class F>
+    void for_each_image(F f) const {
+        const int across = period[1] > 0 ? 7 : 0;
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            for (int k = -7; k <= 7; ++k) {
+                for (int l = -across; l <= across; ++l) {
+                    const graze::vec<2, double> by = {k * period[0], l * period[1]};
+                    const auto with = [&](graze::partner kind, std::size_t j) {
+                        return graze::scene_pair{kind, static_cast<int>(i), static_cast<int>(j)};
+                    };
+                    for (std::size_t j = i + 1; j < balls.size(); ++j) {
+                        graze::ball<2> there = balls[j];
+                        there.position = there.position + by;
+                        f(with(graze::partner::ball, j), balls[i], there);
+                    }
+                    for (std::size_t j = 0; j < walls.size(); ++j) {
+                        graze::wall<2> there = walls[j];
+                        there.corner = there.corner + by;
+                        f(with(graze::partner::wall, j), balls[i], there);
+                    }
+                    for (std::size_t j = 0; j < planes.size() && k == 0; ++j) {
+                        f(with(graze::partner::plane, j), balls[i], planes[j]);
+                    }
+                }
+            }
+        }
+    }
+};
+
+template <class Pairs>
+void sort_out(Pairs& pairs) {
+    for (graze::scene_pair& m : pairs) {
+        if (m.with == graze::partner::ball && m.b < m.a) {
+            std::swap(m.a, m.b);
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+} // namespace
+
+TEST_CASE("in a scene that has a period the first events and the overlaps are those of copies") {
+    int images = 0, several = 0;
+    CHECK(rc::check([&] {
+        const periodic_scene s;
+        std::optional<graze::impact_time<2>> first;
+        std::vector<graze::scene_pair> expected, inside;
+        s.for_each_image([&](const graze::scene_pair& who, const auto& a, const auto& b) {
+            if (overlaps(a, b)) {
+                inside.push_back(who);
+            }
+            const auto t = time_of_impact(a, b);
+            if (t && (!first || *t < *first)) {
+                first = t;
+                expected.clear();
+            }
+            if (t && *t == *first) {
+                expected.push_back(who);
+            }
+        });
+        sort_out(expected);
+        sort_out(inside);
+        RC_ASSERT(graze::overlapping(s.view()) == inside);
+        // Until then two come nearer by a period at most, and none is farther than three from 0.
+        if (first && *first < 2.0) {
+            auto found = graze::first_events(s.view());
+            RC_ASSERT(found.time.has_value());
+            RC_ASSERT(found.time->compare(*first) == 0);
+            const std::size_t named = found.events.size();
+            sort_out(found.events);
+            RC_ASSERT(found.events.size() == named);
+            RC_ASSERT(found.events == expected);
+            ++images;
+            several += named > 1 ? 1 : 0;
+        }
+    }));
+    CHECK(images > 100);
+    CHECK(several > 10);
+}
+
+TEST_CASE("balls that all fly alike in a period never meet, and distances that are no number are named") {
+    const std::vector<graze::ball<2>> alike = {{{0, 0}, {3, 1}, 0.5, 1}, {{2, 1}, {3, 1}, 0.5, 1}},
+                                      tiny = {{{0x1p-600, 0}, {5, 2}, 0.5, 1}, {{0x1p-60, 2}, {0, 0}, 0.5, 1}};
+    CHECK(graze::first_events(graze::scene<2>{.balls = alike, .period = {5, 5}}).events.empty());
+    CHECK_THROWS_WITH_AS((void)graze::first_events(graze::scene<2>{.balls = tiny, .period = {5, 0}}),
+                         "ball 0 and ball 1: a coordinate is too small beside the period for an exact distance",
+                         std::range_error);
+}
+
 } // namespace first_events_test

@@ -56,9 +56,6 @@ outline circle(double x, double y, double radius) {
 // "3 pairs overlap at the start: ball 0 and ball 1, ...", or nothing.
 template <int N>
 std::string overlap_remark(const exact_scene<N>& scene) {
-    if (scene.is_periodic()) {
-        return ""; // their images might overlap, too
-    }
     const auto own = scene_in<exact>(scene, exact(1), [](const exact& x) { return x; });
     const std::vector<graze::scene_pair> pairs = graze::overlapping(own.view());
     if (pairs.empty()) {

@@ -74,4 +74,27 @@ struct stand_ins {
     }
 };
 
+// A place some periods away, or a wall or triangle there. Throws std::range_error where numbers T cannot hold it.
+template <int N, class T>
+[[nodiscard]] vec<N, T> moved_exactly(vec<N, T> x, const image_shift<N, T>& image) {
+    for (int i = 0; i < N; ++i) {
+        const std::int32_t count = image.periods[static_cast<std::size_t>(i)];
+        const T old = x[i];
+        x.component[i] = T(old + T(T(count) * image.period[i]));
+        bool held = true;
+        if constexpr (std::is_floating_point_v<T>) {
+            held = dyadic(x[i]) == dyadic(old) + dyadic(static_cast<T>(count)) * dyadic(image.period[i]);
+        }
+        if (!held) {
+            throw std::range_error("the image in another period has a coordinate that is no number of this type");
+        }
+    }
+    return x;
+}
+template <int N, class T, class W>
+[[nodiscard]] W displaced_exactly(W w, const image_shift<N, T>& image) {
+    w.corner = moved_exactly(w.corner, image);
+    return w;
+}
+
 } // namespace graze::inline v0_1::detail

@@ -66,17 +66,7 @@ struct exact_mechanics {
     // A wall or a triangle.
     template <class W>
     requires requires(const W& w) { w.edge; }
-    [[nodiscard]] W displaced(W w, const image_shift<N, T>& image) const {
-        for (int i = 0; i < N; ++i) {
-            const auto count = static_cast<T>(image.periods[static_cast<std::size_t>(i)]);
-            const T there = w.corner[i] + count * image.period[i];
-            if (!(dyadic(there) == dyadic(w.corner[i]) + dyadic(count) * dyadic(image.period[i]))) {
-                throw std::range_error("the image in another period has a corner that is no number of this type");
-            }
-            w.corner[i] = there;
-        }
-        return w;
-    }
+    [[nodiscard]] W displaced(W w, const image_shift<N, T>& image) const { return detail::displaced_exactly(w, image); }
 
     [[nodiscard]] constexpr int order(const time& s, const time& t) const { return s.compare(t); }
     [[nodiscard]] constexpr int order(const time& s, const T& t) const { return s < t ? -1 : s > t ? 1 : 0; }

@@ -161,7 +161,7 @@ class forecast : public lookout<M> {
             more += 4 * speed * (p.upper - now);
         }
         if (scene_.is_periodic()) {
-            throw std::range_error(to_string(scene_.part(a)) + ": doubles cannot tell in which period it is");
+            this->refuse(a);
         }
         const plan p = earliest_of(a, never, [&](auto meet) {
             settled ? this->for_each_remaining(a, meet) : this->for_each_other(a, true, meet);

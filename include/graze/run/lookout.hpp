@@ -52,12 +52,21 @@ class lookout {
         }
         surroundings_ =
             surroundings<dimension>(flights(), now, {std::move(extents), scene_.balls()}, with_cells_, scene_.period());
+        for (body a = 0; a < scene_.balls() && scene_.is_periodic(); ++a) {
+            if (surroundings_.is_everywhere(a)) {
+                refuse(a);
+            }
+        }
         remaining_ = {};
         changed_.resize(scene_.balls());
         start_ = now;
         for (clock_ = 0; clock_ < scene_.balls(); ++clock_) {
             changed_[clock_] = clock_;
         }
+    }
+    // In a scene that has a period.
+    [[noreturn]] void refuse(body a) const {
+        throw std::range_error(to_string(scene_.part(a)) + ": doubles cannot tell in which period it is");
     }
     void note_change(body a) noexcept { changed_[a] = ++clock_; }
     void note_flight(body a) noexcept {

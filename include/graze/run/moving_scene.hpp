@@ -4,7 +4,7 @@
 #include <graze/point/points.hpp>
 #include <graze/run/image_ledger.hpp>
 #include <graze/run/numbered_balls.hpp>
-#include <graze/run/saying.hpp>
+#include <graze/scene/saying.hpp>
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/images.hpp>
 

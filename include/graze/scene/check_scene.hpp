@@ -122,14 +122,6 @@ template <int N, class T>
     return !is_zero_vector(s.period);
 }
 
-// Throws std::domain_error if the scene has a period.
-template <int N, class T>
-void refuse_period(const scene<N, T>& s, const char* by) {
-    if (is_periodic(s)) {
-        reject("period", (std::string(by) + " knows none").c_str());
-    }
-}
-
 } // namespace detail
 
 // Throws std::domain_error that names the first part at fault ("ball 17: radius is negative"): a NaN or an infinity

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/scene/centre_cells.hpp>
+#include <graze/scene/home_place.hpp>
 #include <graze/scene/shell.hpp>
 
 #include <utility>
@@ -19,10 +20,10 @@ template <int N>
     return b.radius * (1 + 0x1p-40) + far * 0x1p-44;
 }
 
-// f(a, b), a < b, for balls that may overlap, among them all that do. Finds them through cells; balls with numbers
-// beyond 2^400 are compared with all others.
+// f(a, b, image), a < b, for balls that may overlap and images of the second ones, among them all that do. Finds them
+// through cells; balls with numbers beyond 2^356 are compared with all others, without images.
 template <int N, class F>
-void for_each_close_pair(const std::vector<flight<N, double>>& balls, F f) {
+void for_each_close_pair(const std::vector<flight<N, double>>& balls, const vec<N, double>& period, F f) {
     double largest = 0;
     std::vector<body> far;
     for (body a = 0; a < balls.size(); ++a) {
@@ -33,23 +34,26 @@ void for_each_close_pair(const std::vector<flight<N, double>>& balls, F f) {
             far.push_back(a);
         }
     }
-    const double spacing = std::max({spacing_of<N>(balls), largest / 0x1p20, 0x1p-390});
-    centre_cells<N> cells(balls.size(), 1.0625 * std::max(spacing / 2, largest), {});
+    const double spacing = std::max({spacing_of<N>(balls, period), largest / 0x1p20, 0x1p-390});
+    centre_cells<N> cells(balls.size(), 1.0625 * std::max(spacing / 2, largest), period);
+    std::vector<image_index> whole(balls.size());
     auto next_far = far.begin();
     for (body a = 0; a < balls.size(); ++a) {
         if (next_far != far.end() && *next_far == a) {
             ++next_far;
             for (body b = 0; b < balls.size(); ++b) {
                 if (b < a || (b > a && !std::binary_search(far.begin(), far.end(), b))) {
-                    f(std::min(a, b), std::max(a, b));
+                    f(std::min(a, b), std::max(a, b), image_index{});
                 }
             }
             continue;
         }
         const double reach = std::max(reach_of(balls[a].state), spacing / 64);
+        const home_place<N> home(balls[a].state.position, period);
+        whole[a] = home.whole;
         cells.make_level(reach);
-        cells.around(balls[a].state.position, reach, false, [&](body b, image_index) { f(b, a); });
-        cells.enter(a, balls[a].state.position, reach);
+        cells.around(home.at, reach, false, [&](body b, image_index image) { f(b, a, whole[b] - image - whole[a]); });
+        cells.enter(a, home.at, reach);
     }
 }
 

@@ -3,9 +3,10 @@
 
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/first_search.hpp>
+#include <graze/scene/image_pair.hpp>
 #include <graze/scene/numbered_scene.hpp>
 #include <graze/scene/scene_pair.hpp>
-#include <graze/time/bounds_until.hpp>
+#include <graze/time/bounds_of_image.hpp>
 #include <graze/time/time_of_shapes.hpp>
 #include <graze/time/time_of_walls.hpp>
 
@@ -42,7 +43,8 @@ class earliest_finder {
             found_.time = time;
             found_.events.clear();
         }
-        if (order < 0 || (order == 0 && wanted_ == simultaneous::all)) {
+        const bool is_new = found_.events.empty() || found_.events.back() != who; // not another image
+        if (is_new && (order < 0 || (order == 0 && wanted_ == simultaneous::all))) {
             found_.events.push_back(who);
         }
     }
@@ -66,13 +68,20 @@ template <int N, class T, class S>
 
 // An enclosure of the time at which they meet, as first_search asks for it.
 template <int N, class T>
-[[nodiscard]] enclosure bounds_of(const numbered_scene<N, T>& numbered, body a, body b, double latest) {
+[[nodiscard]] enclosure bounds_of(const numbered_scene<N, T>& numbered, const vec<N, T>& period,
+                                  const pair_of_bodies& pair, double latest) {
     enclosure found{enclosure::unknown, 0};
-    numbered.with(a, b, [&](const ball<N, T>& x, const auto& y, const scene_pair&, unsigned inner) {
+    numbered.with(pair.a, pair.b, [&](const ball<N, T>& x, const auto& y, const scene_pair&, unsigned inner) {
         if constexpr (std::is_same_v<decltype(y), const ball<N, T>&>) {
-            found = bounds_until(flight<N, T>{x, T(0)}, flight<N, T>{y, T(0)}, latest);
-        } else if (const auto t = time_outside(x, y, inner)) {
-            found = t->enclosure();
+            const flight<N, T> a{x, T(0)}, b{y, T(0)};
+            found = pair.image == image_index{} ? bounds_until(a, b, latest)
+                                                : bounds_of_image(a, b, image_shift<N, T>{pair.image, period}, latest);
+        } else {
+            with_image(x, y, pair.image, period, [&](const auto& here, const auto& there) {
+                if (const auto t = time_outside(here, there, inner)) {
+                    found = t->enclosure();
+                }
+            });
         }
     });
     return found;
@@ -82,22 +91,26 @@ template <int N, class T>
 
 // The first of all collisions of balls with balls, planes, walls and triangles, by time_of_impact: exact for every
 // finite input. Pairs that are not near each other are examined only while no earlier event is known. Two balls that
-// overlap and approach meet at 0. Throws std::domain_error that names the part at fault ("ball 17: radius is negative")
-// as check does, for a scene that has a period, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel").
+// overlap and approach meet at 0. In a scene that has a period they meet each other's images, and a pair that meets
+// several of these at once is named once. Throws std::domain_error that names the part at fault ("ball 17: radius is
+// negative") as check does, and for parallel edges ("ball 0 and wall 3: wall: edges are parallel"). With a period,
+// throws std::range_error where a distance or an image is no number of T [exact_mechanics] and std::runtime_error where
+// nothing meets for so long that nothing may ever.
 template <int N, std::floating_point T>
 requires is_binary_input<T>
 [[nodiscard]] earliest_events<N, T> first_events(const scene<N, T>& s, simultaneous wanted = simultaneous::all) {
     check(s);
-    detail::refuse_period(s, "first_events");
     detail::earliest_finder<N, T> earliest(wanted);
     const detail::numbered_scene<N, T> parts(s, detail::numbering::canonical);
-    const auto bounds = [&](detail::body a, detail::body b, double latest) {
-        return detail::bounds_of(parts, a, b, latest);
+    const auto bounds = [&](const detail::pair_of_bodies& pair, double latest) {
+        return detail::bounds_of(parts, s.period, pair, latest);
     };
-    for (const auto& [a, b] : detail::may_be_first<N>(
-             parts.flights(), detail::standing_cells<N>(parts.extents(), parts.balls()), parts.bodies(), bounds)) {
-        parts.with(a, b, [&](const ball<N, T>& x, const auto& y, const scene_pair& who, unsigned inner) {
-            earliest.meet(detail::time_outside(x, y, inner), who);
+    detail::first_search<N, detail::numbered_scene<N, T>, decltype(bounds)> search(parts, bounds);
+    for (const detail::pair_of_bodies& pair : search.find()) {
+        parts.with(pair.a, pair.b, [&](const ball<N, T>& x, const auto& y, const scene_pair& who, unsigned inner) {
+            detail::with_image(x, y, pair.image, s.period, [&](const auto& here, const auto& there) {
+                earliest.meet(detail::time_outside(here, there, inner), who);
+            });
         });
     }
     return earliest.take();

@@ -4,6 +4,7 @@
 #include <graze/scene/body.hpp>
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/inner_edges.hpp>
+#include <graze/scene/saying.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_pair.hpp>
 #include <graze/scene/standing_extent.hpp>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -34,41 +36,56 @@ class numbered_scene {
         return static_cast<body>(balls_.size() + planes_.size() + walls_.size() + triangles_.size());
     }
 
+    // Of the scene, in doubles.
+    [[nodiscard]] vec<N, double> period() const { return in_doubles(scene_.period); }
+    [[nodiscard]] bool has_images(body b) const noexcept {
+        return b < balls_.size() || b >= balls_.size() + planes_.size();
+    }
+    // Throws std::range_error for a ball that doubles cannot tell in which period it is.
+    [[noreturn]] void refuse(body a) const {
+        throw std::range_error(to_string(participant{partner::ball, balls_[a]}) +
+                               ": doubles cannot tell in which period it is");
+    }
+    void refuse_far(body a, const vec<N, double>& position) const {
+        for (int i = 0; i < N; ++i) {
+            const auto length = static_cast<double>(scene_.period[i]);
+            if (length > 0 && !(std::fabs(position[i] / length) < 0x1p30)) {
+                refuse(a);
+            }
+        }
+    }
+
     // f(ball, other, who, inner) with a ball and another body, and the inner edges of a triangle. An exception of f
-    // about a wall or a triangle says which.
+    // says who they are.
     template <class F>
     void with(body a, body b, F f) const {
         const ball<N, T>& x = scene_.balls[index(balls_, a)];
-        const auto who = [&](partner kind, std::size_t i) { return scene_pair{kind, balls_[a], static_cast<int>(i)}; };
-        const auto with_flat = [&](const auto& w, const scene_pair& m, unsigned inner) {
-            try {
-                f(x, w, m, inner);
-            } catch (const std::domain_error& e) { // parallel edges
-                throw std::domain_error(to_string(m) + ": " + e.what());
-            }
+        const auto ask = [&](const auto& other, partner kind, std::size_t number, unsigned inner = 0) {
+            const scene_pair who{kind, balls_[a], static_cast<int>(number)};
+            saying([&] { f(x, other, who, inner); }, [&] { return who; });
         };
         std::size_t i = b;
         if (i < balls_.size()) {
             i = index(balls_, i);
-            f(x, scene_.balls[i], who(partner::ball, i), 0U);
+            ask(scene_.balls[i], partner::ball, i);
             return;
         }
         i -= balls_.size();
         if (i < planes_.size()) {
             i = index(planes_, i);
-            f(x, scene_.planes[i], who(partner::plane, i), 0U);
+            ask(scene_.planes[i], partner::plane, i);
             return;
         }
         i -= planes_.size();
         if (i < walls_.size()) {
             i = index(walls_, i);
-            with_flat(scene_.walls[i], who(partner::wall, i), 0U);
+            ask(scene_.walls[i], partner::wall, i);
             return;
         }
         if constexpr (N == 3) {
             i = index(triangles_, i - walls_.size());
-            with_flat(scene_.triangles[i], who(partner::triangle, i),
-                      scene_.inner_edges.empty() ? 0U : unsigned{scene_.inner_edges[i]});
+            ask(scene_.triangles[i], partner::triangle, i,
+                scene_.inner_edges.empty() ? 0U : unsigned{scene_.inner_edges[i]});
         }
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/scene/centre_cells.hpp>
+#include <graze/scene/home_place.hpp>
 #include <graze/scene/idle_count.hpp>
 #include <graze/scene/neighbour_lists.hpp>
 #include <graze/scene/shell.hpp>
@@ -81,15 +82,8 @@ class surroundings {
         }
         next_.radius = std::min(next_.radius, shortest_) + more;
         const vec<N, double> place = position_at(f.state.position, f.state.velocity, now - f.since);
-        whole_periods whole{};
-        centre_ = place;
-        for (int i = 0; i < N && is_periodic(); ++i) {
-            if (period_[i] > 0) {
-                const double periods = std::nearbyint(std::clamp(place[i] / period_[i], -0x1p30, 0x1p30));
-                whole[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(periods);
-                centre_.component[i] = place[i] - periods * period_[i];
-            }
-        }
+        const auto [at, whole] = home_place<N>(place, period_);
+        centre_ = at;
         next_.place = whole + gone;
         centre_in_flight_ = from_flight(centre_, whole);
         if (!end_of_shell(f, now, centre_in_flight_, next_.radius).known ||
