@@ -55,20 +55,18 @@ class neighbour_lists {
         }
         ++l.size;
     }
+    // One b from a's list, whatever its image.
     void remove(body a, body b) noexcept {
         list& l = lists_[a];
-        for (std::uint32_t i = 0; i < l.size;) {
-            if (bodies_[l.first + i] != b) {
-                ++i;
-                continue;
-            }
-            --l.size;
-            bodies_[l.first + i] = bodies_[l.first + l.size];
-            if (with_images_) {
-                images_[l.first + i] = images_[l.first + l.size];
-            } else {
-                return;
-            }
+        const std::span<body> all(bodies_.data() + l.first, l.size);
+        const auto i = static_cast<std::size_t>(std::find(all.begin(), all.end(), b) - all.begin());
+        if (i == all.size()) {
+            return;
+        }
+        --l.size;
+        all[i] = all[l.size];
+        if (with_images_) {
+            images_[l.first + i] = images_[l.first + l.size];
         }
     }
     void clear(body a) noexcept { lists_[a].size = 0; }

@@ -53,6 +53,14 @@ template <int N>
                 (far + speed * (std::max(std::fabs(now), std::fabs(when)) + std::fabs(f.since))) * 0x1p-46 < margin};
 }
 
+// x, that far on along u; x itself where doubles cannot tell.
+template <int N>
+[[nodiscard]] inline vec<N, double> moved_along(const vec<N, double>& x, const vec<N, double>& u,
+                                                double distance) noexcept {
+    const double speed = std::sqrt(graze::squared_norm(u));
+    return speed > 0x1p-400 && speed < 0x1p400 ? x + distance / speed * u : x;
+}
+
 // About how far balls are apart: the side of a cell, if there are as many cells as balls where these are, or in a
 // period.
 template <int N>

@@ -34,7 +34,7 @@ class surroundings {
             largest = std::max(largest, b.state.radius);
         }
         const double spacing = std::max({spacing_of<N>(balls, period), largest / 4, 0x1p-390});
-        least_ = spacing / 64;
+        spacing_ = spacing;
         const auto shell_around = [&](double r) {
             return std::max({crowded * spacing - r, narrowest * spacing, r / 8});
         };
@@ -81,7 +81,8 @@ class surroundings {
             resize(next_, lists_.of(a).size());
         }
         next_.radius = std::min(next_.radius, shortest_) + more;
-        const vec<N, double> place = position_at(f.state.position, f.state.velocity, now - f.since);
+        const vec<N, double> place = moved_along(position_at(f.state.position, f.state.velocity, now - f.since),
+                                                 f.state.velocity, way_ahead(next_));
         const auto [at, whole] = home_place<N>(place, period_);
         centre_ = at;
         next_.place = whole + gone;
@@ -178,6 +179,10 @@ class surroundings {
         }
         return centre;
     }
+    // How far a shell's centre is ahead of its ball, which flies on about as far as there is room between balls.
+    [[nodiscard]] double way_ahead(const shell& s) const noexcept {
+        return std::clamp(spacing_ - 2 * s.ball, 0.0, 0.45 * s.radius);
+    }
     void add_image(image_index image) {
         if (is_periodic()) {
             fresh_images_.push_back(coded(image));
@@ -187,7 +192,7 @@ class surroundings {
     void resize(shell& s, std::size_t neighbours) const noexcept {
         if (neighbours < fewest) {
             s.radius *= neighbours == 0 ? 2 : 1.5;
-        } else if (neighbours > most && s.radius > std::max(s.ball / 16, least_)) {
+        } else if (neighbours > most && s.radius > std::max(s.ball / 16, spacing_ / 64)) {
             s.radius *= 0.75;
         }
     }
@@ -209,7 +214,7 @@ class surroundings {
     std::vector<shell> shells_;
     body balls_ = 0; // how many
     std::vector<body> everywhere_;
-    double least_ = 0; // to which a shell shrinks
+    double spacing_ = 0; // of balls, about
     idle_count idle_;
     bool with_cells_ = false;
     // of the ball looked at last
