@@ -4,9 +4,9 @@
 #include <graze/point/points.hpp>
 #include <graze/run/image_ledger.hpp>
 #include <graze/run/numbered_balls.hpp>
-#include <graze/scene/saying.hpp>
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/images.hpp>
+#include <graze/scene/saying.hpp>
 
 #include <algorithm>
 #include <limits>
