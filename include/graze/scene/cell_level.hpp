@@ -47,6 +47,18 @@ struct cell_level {
     [[nodiscard]] std::int64_t along(double x, int axis) const noexcept {
         return whole_below((x - start[axis]) * per_length[axis]);
     }
+    // The corners of the cells that come as near to x as `far` along every axis.
+    struct box {
+        cell low, high;
+    };
+    [[nodiscard]] box cells_within(const vec<N, double>& x, double far) const noexcept {
+        box b;
+        for (int i = 0; i < N; ++i) {
+            b.low[static_cast<std::size_t>(i)] = along(x[i] - far, i);
+            b.high[static_cast<std::size_t>(i)] = along(x[i] + far, i);
+        }
+        return b;
+    }
     // For a point within half a period of 0, but for rounding.
     [[nodiscard]] std::int64_t along_inside(double x, int axis) const noexcept {
         const std::int64_t n = around[static_cast<std::size_t>(axis)];

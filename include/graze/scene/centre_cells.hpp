@@ -36,7 +36,6 @@ class centre_cells : public levelled_points<N> {
 
   private:
     using typename levelled_points<N>::level;
-    using typename levelled_points<N>::cell;
     using typename levelled_points<N>::entry;
     using levelled_points<N>::entries_;
     using levelled_points<N>::heads_;
@@ -80,13 +79,9 @@ class centre_cells : public levelled_points<N> {
     }
     template <class F>
     void look(const level& l, const point& x, double own, bool everyone, F& f) const {
-        const double reach = 1.001 * (own + l.reach) + slack_;
-        cell low, high;
+        const auto [low, high] = l.cells_within(x, 1.001 * (own + l.reach) + slack_);
         double cells = 1;
-        for (int i = 0; i < N; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            low[k] = l.along(x[i] - reach, i);
-            high[k] = l.along(x[i] + reach, i);
+        for (std::size_t k = 0; k < N; ++k) {
             cells *= static_cast<double>(high[k] - low[k] + 1);
         }
         if (everyone || !(cells < 2 * static_cast<double>(entries_.size()) + 64)) { // then the points are fewer
@@ -120,13 +115,7 @@ class centre_cells : public levelled_points<N> {
     }
     template <class F>
     void look_at_finer(const level& l, const point& x, double own, F& f) const {
-        const double reach = 1.001 * (own + std::ldexp(base_, l.power - 2)) + slack_;
-        cell low, high;
-        for (int i = 0; i < N; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            low[k] = l.along(x[i] - reach, i);
-            high[k] = l.along(x[i] + reach, i);
-        }
+        const auto [low, high] = l.cells_within(x, 1.001 * (own + std::ldexp(base_, l.power - 2)) + slack_);
         l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
             l.finer.for_each(key, [&](body b) { offer({from, image, entries_[b].key, b}, own, f); });
         });
