@@ -4,6 +4,7 @@
 #include "solve_pairs.hpp"
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace compare {
@@ -132,12 +133,29 @@ class formula_solver final : public solver {
     std::unique_ptr<solution_sink<N, T>> forgetting_ = std::make_unique<forgetting_sink<N, T>>();
 };
 
+// Whether this program measures pairs in space. graze-compare-plane, which ./graze compare builds for pairs in the
+// plane, does not: half of what a type takes to compile is for space.
+#ifdef COMPARE_IN_PLANE
+constexpr bool measures_in_space = false;
+#else
+constexpr bool measures_in_space = true;
+#endif
+
+template <template <int, class> class Solver, class T>
+[[nodiscard]] std::unique_ptr<solver> prepare_with(const pair_list& list) {
+    if (list.dimension == 2) {
+        return std::make_unique<Solver<2, T>>(list);
+    }
+    if constexpr (measures_in_space) {
+        return std::make_unique<Solver<3, T>>(list);
+    } else {
+        throw std::invalid_argument(
+            "these pairs are in space: graze-compare measures them, graze-compare-plane does not");
+    }
+}
 template <class T>
 [[nodiscard]] std::unique_ptr<solver> prepare(const pair_list& list) {
-    if (list.dimension == 2) {
-        return std::make_unique<formula_solver<2, T>>(list);
-    }
-    return std::make_unique<formula_solver<3, T>>(list);
+    return prepare_with<formula_solver, T>(list);
 }
 
 // What T's traits say; the caller fills in the rest.

@@ -27,8 +27,10 @@ stand_in ninja ''
 chmod +x "$work"/bin/*
 program=build/release/examples/compare/graze-compare
 mkdir -p "$work/tree/${program%/*}"
-printf '#!/bin/sh\nprintf "graze-compare in %%s:" "$(pwd)"\nprintf " <%%s>" "$@"\n' >"$work/tree/$program"
-chmod +x "$work/tree/$program"
+for program in "$program" "$program-plane"; do
+    printf '#!/bin/sh\nprintf "%s in %%s:" "$(pwd)"\nprintf " <%%s>" "$@"\n' "${program##*/}" >"$work/tree/$program"
+    chmod +x "$work/tree/$program"
+done
 peers=build/release/tests/speed/peers/graze-peers
 mkdir -p "$work/tree/${peers%/*}"
 printf '#!/bin/sh\nprintf "graze-peers:"; printf " <%%s>" "$@"\n' >"$work/tree/$peers"
@@ -66,8 +68,8 @@ has out 'installing with apt: absent$'
 has calls '^apt-get update'
 has calls '^apt-get install .* absent$'
 has calls '^cmake --preset release -DGRAZE_BUILD_TESTS=OFF'
-has calls '^cmake --build build/release --target graze-compare'
-has out "graze-compare in .*/elsewhere: <--report> <graze-report.html>"
+has calls '^cmake --build build/release --target graze-compare-plane '
+has out "graze-compare-plane in .*/elsewhere: <--report> <graze-report.html>"
 has out '^-- graze: a remark'
 has err '^graze: building 1/20$'
 lacks err '7%' # no tenth
@@ -81,6 +83,13 @@ run 0 compare --no-install --types 'double,long double' 'a b'
 lacks calls apt-get
 has out ': <--types> <double,long double> <a b>$'
 run 0 --no-install compare --help; has out ': <--help>$'
+echo '{"dimension": 2}' >"$work/elsewhere/plane.json"
+printf '{ "dimension" :\n3}' >"$work/elsewhere/a room.json"
+run 0 compare --no-install --scene plane.json --json out.json; has out '^graze-compare-plane in .*: <--scene> <plane.json>'
+for argument in 'a room.json' '--scene=a room.json' --dimension=3 - /dev/null; do
+    run 0 compare --no-install "$argument"
+    has calls '^cmake --build build/release --target graze-compare '; has out "^graze-compare in .*: <$argument>$"
+done
 
 touch "$work/tree/build/release/CMakeCache.txt" # a tree that was configured keeps its tests
 run 0 compare --no-install; lacks calls GRAZE_BUILD_TESTS
@@ -118,10 +127,11 @@ run 2 report --no-install one two; has err 'one folder, not 2'
 APT_STATUS=100; export APT_STATUS
 run 100 compare; has err 'this failed: as_root apt-get update'; lacks calls cmake
 unset APT_STATUS
-run 0 compare --no-install run scene.json; has calls '^cmake --build build/release --target graze-compare graze-compare-run '
+run 0 compare --no-install run scene.json
+has calls '^cmake --build build/release --target graze-compare-plane graze-compare-run '
 has out ': <run> <scene.json>$'
 BUILD_STATUS=3; export BUILD_STATUS
-run 1 compare --no-install; has err 'noise of cmake'; has err 'could not be built: graze-compare'; lacks out 'graze-compare in'
+run 1 compare --no-install; has err 'noise of cmake'; has err 'could not be built: graze-compare'; lacks out 'graze-compare.* in'
 unset BUILD_STATUS
 CMAKE_STATUS=3; export CMAKE_STATUS
 run 3 compare --no-install; has err 'noise of cmake'; lacks out graze-compare

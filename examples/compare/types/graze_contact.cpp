@@ -140,12 +140,7 @@ class contact_solver final : public solver {
 measurable of_graze() {
     measurable m = measurable_type<double>("graze", false, "graze::collide: decisions exact, numbers rounded once");
     m.information.name = "graze";
-    m.prepare = [](const pair_list& list) -> std::unique_ptr<solver> {
-        if (list.dimension == 2) {
-            return std::make_unique<contact_solver<2, double>>(list);
-        }
-        return std::make_unique<contact_solver<3, double>>(list);
-    };
+    m.prepare = &prepare_with<contact_solver, double>;
     return m;
 }
 
