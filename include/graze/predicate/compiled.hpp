@@ -1,4 +1,5 @@
-// The cold stages of decisions: graze::compiled contains them, so that a unit need not compile them.
+// The cold stages of decisions, and the whole of one with a flat shape, which is a call anyway: graze::compiled
+// contains them, so that a unit need not compile them.
 #pragma once
 
 #include <graze/predicate/classify_balls.hpp>
@@ -29,5 +30,28 @@ extern template encounter classify_exactly(const flight<2, float>&, const flight
 extern template encounter classify_exactly(const flight<3, float>&, const flight<3, float>&);
 extern template encounter classify_exactly(const flight<2, double>&, const flight<2, double>&);
 extern template encounter classify_exactly(const flight<3, double>&, const flight<3, double>&);
+extern template flat_answer decide_flat<flat_question::what>(const ball<2, float>&, const wall<2, float>&, stage&);
+extern template flat_answer decide_flat<flat_question::feature>(const ball<2, float>&, const wall<2, float>&, stage&);
+extern template flat_answer decide_flat<flat_question::clearance>(const ball<2, float>&, const wall<2, float>&, stage&);
+extern template flat_answer decide_flat<flat_question::what>(const ball<3, float>&, const wall<3, float>&, stage&);
+extern template flat_answer decide_flat<flat_question::feature>(const ball<3, float>&, const wall<3, float>&, stage&);
+extern template flat_answer decide_flat<flat_question::clearance>(const ball<3, float>&, const wall<3, float>&, stage&);
+extern template flat_answer decide_flat<flat_question::what>(const ball<3, float>&, const triangle<float>&, stage&);
+extern template flat_answer decide_flat<flat_question::feature>(const ball<3, float>&, const triangle<float>&, stage&);
+extern template flat_answer decide_flat<flat_question::clearance>(const ball<3, float>&, const triangle<float>&,
+                                                                  stage&);
+extern template flat_answer decide_flat<flat_question::what>(const ball<2, double>&, const wall<2, double>&, stage&);
+extern template flat_answer decide_flat<flat_question::feature>(const ball<2, double>&, const wall<2, double>&, stage&);
+extern template flat_answer decide_flat<flat_question::clearance>(const ball<2, double>&, const wall<2, double>&,
+                                                                  stage&);
+extern template flat_answer decide_flat<flat_question::what>(const ball<3, double>&, const wall<3, double>&, stage&);
+extern template flat_answer decide_flat<flat_question::feature>(const ball<3, double>&, const wall<3, double>&, stage&);
+extern template flat_answer decide_flat<flat_question::clearance>(const ball<3, double>&, const wall<3, double>&,
+                                                                  stage&);
+extern template flat_answer decide_flat<flat_question::what>(const ball<3, double>&, const triangle<double>&, stage&);
+extern template flat_answer decide_flat<flat_question::feature>(const ball<3, double>&, const triangle<double>&,
+                                                                stage&);
+extern template flat_answer decide_flat<flat_question::clearance>(const ball<3, double>&, const triangle<double>&,
+                                                                  stage&);
 
 } // namespace graze::inline v0_1::detail

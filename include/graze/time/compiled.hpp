@@ -101,5 +101,11 @@ extern template std::optional<impact_time<2, double>> time_of_impact_exactly(con
                                                                              const flight<2, double>&);
 extern template std::optional<impact_time<3, double>> time_of_impact_exactly(const flight<3, double>&,
                                                                              const flight<3, double>&);
+extern template flat_collision meet_flat(const ball<2, float>&, const wall<2, float>&, stage&);
+extern template flat_collision meet_flat(const ball<3, float>&, const wall<3, float>&, stage&);
+extern template flat_collision meet_flat(const ball<3, float>&, const triangle<float>&, stage&);
+extern template flat_collision meet_flat(const ball<2, double>&, const wall<2, double>&, stage&);
+extern template flat_collision meet_flat(const ball<3, double>&, const wall<3, double>&, stage&);
+extern template flat_collision meet_flat(const ball<3, double>&, const triangle<double>&, stage&);
 
 } // namespace graze::inline v0_1::detail
