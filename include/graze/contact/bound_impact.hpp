@@ -28,21 +28,45 @@ struct lane_contact {
     exact_pair<double> R;
 };
 
-// Takes the normal and the velocities. error_of_n: of the normal. spread: at least the relative error of φ + 94 u².
+// What all components of a normal are off by, and at least the relative error of φ + 94 u².
+struct common_error {
+    double of_n, spread;
+
+    static constexpr bool is_common = true;
+    [[nodiscard, gnu::always_inline]] lanes of_n01(const lanes&) const noexcept { return both(of_n); }
+    [[nodiscard, gnu::always_inline]] double of_n2(double) const noexcept { return of_n; }
+};
+// The same for each component by itself: `relative` of it and what y is off by there over R, of y2 lane 1.
+struct error_by_component {
+    lanes of_y01, of_y2;
+    double relative, spread;
+
+    static constexpr bool is_common = false;
+    [[nodiscard, gnu::always_inline]] lanes of_n01(const lanes& n) const noexcept {
+        return of_y01 + relative * absolute(n);
+    }
+    [[nodiscard, gnu::always_inline]] double of_n2(double n) const noexcept {
+        return of_y2[1] + relative * absolute(n);
+    }
+};
+
+// Takes the normal and the velocities.
 //
 // φ = 2 (s/R)/(m_a + m_b) m has a relative error of at most that of s + 12.2 u² + 9.2 u² (of 1/R) + 24.9 u² + 9.2 u² +
 // 15.4 u² <= that of s + 71 u², and a low part of at most 9 u of it.
-template <bool Fused, int N, class T, class F>
+template <bool Fused, int N, class T, class Errors, class F>
 [[gnu::always_inline]] inline void bound_impact(const ball<N, T>& a, const ball<N, T>& b, double mass_a, double mass_b,
                                                 const lane_contact<Fused>& y, const exact_pair<double>& s,
-                                                double error_of_n, double spread, F& take) noexcept {
+                                                const Errors& errors, F& take) noexcept {
     const auto masses = two_sum(mass_a, mass_b);
     const auto inverse =
         inverse_of<Fused>(exact_pair<lanes>{lanes{y.R.value, masses.value}, lanes{y.R.error, masses.error}});
     const auto per_length = picked(inverse.high, 0, 0);
     const auto n01 = normal_of(y.y01, y.low01, per_length, both(inverse.low[0]));
     const auto n_2 = normal_of(y.y2, y.low2, per_length, both(inverse.low[0]));
-    take(bounded<lanes>{n01.high.value, n01.low, both(error_of_n + underflow)}, 7, 8);
+    const lanes error01 = errors.of_n01(n01.high.value);
+    const double error2 = errors.of_n2(n_2.high.value[1]);
+    take(bounded<lanes>{n01.high.value, n01.low, error01 + both(underflow)}, 7, 8);
 
     const auto per_radius = times(s, picked(inverse.high, 0), inverse.low[0]);
     const auto per_mass =
@@ -51,16 +75,25 @@ template <bool Fused, int N, class T, class F>
     const auto product = two_product(as_factor<Fused>(both(per_mass.value)), as_factor<Fused>(shares));
     const auto phi = as_factor<Fused>(product.value);
     const lanes phi_low = product.error + per_mass.error * shares;
-    const lanes error = absolute(phi.value) * (2 * error_of_n + spread) + underflow;
-    const auto velocity = [&](const lanes& u, int i, int j, const auto& n) __attribute__((always_inline)) {
-        return bounded_velocity(u, picked(phi, i, j), picked(phi_low, i, j), n, picked(error, i, j));
+    const lanes sizes = absolute(phi.value);
+    const lanes common = sizes * (2 * error2 + errors.spread) + underflow;
+    const auto velocity = [&](const lanes& u, int i, int j, const auto& n, const lanes& error_of_n)
+        __attribute__((always_inline)) {
+        const auto error = [&] {
+            if constexpr (Errors::is_common) {
+                return picked(common, i, j);
+            } else {
+                return picked(sizes, i, j) * (2 * error_of_n + errors.spread * absolute(n.high.value)) + underflow;
+            }
+        }();
+        return bounded_velocity(u, picked(phi, i, j), picked(phi_low, i, j), n, error);
     };
-    take(velocity(first_two(a.velocity), 0, 0, n01), 10, 11);
-    take(velocity(first_two(b.velocity), 1, 1, n01), 13, 14);
+    take(velocity(first_two(a.velocity), 0, 0, n01, error01), 10, 11);
+    take(velocity(first_two(b.velocity), 1, 1, n01, error01), 13, 14);
     if constexpr (N == 3) {
         const lane_normal<Fused> n2{picked(n_2.high, 1, 1), picked(n_2.low, 1, 1)};
-        take(bounded<double>{n2.high.value[0], n2.low[0], error_of_n + underflow}, 9);
-        take(velocity(last_two(a.velocity, b.velocity), 0, 1, n2), 12, 15);
+        take(bounded<double>{n2.high.value[0], n2.low[0], error2 + underflow}, 9);
+        take(velocity(last_two(a.velocity, b.velocity), 0, 1, n2, both(error2)), 12, 15);
     }
 }
 
@@ -142,7 +175,8 @@ template <bool Fused, moving B, class F>
         m, r.y01, r.yR2, low_at_contact(r.y01, r.t1), low_at_contact(r.yR2, r.t1), {m.xR2.value[0], m.xR2.error[0]}};
     const auto s = closing_speed(y.y01, y.low01, y.y2, y.low2, m);
     const double turn = r.per_time * r.error;
-    bound_impact(state_of(a), state_of(b), mass_a, mass_b, y, s, 2.5 * turn, 0x1p-98 * r.sensitivity + 2 * turn, take);
+    bound_impact(state_of(a), state_of(b), mass_a, mass_b, y, s,
+                 common_error{2.5 * turn, 0x1p-98 * r.sensitivity + 2 * turn}, take);
     return true;
 }
 
@@ -152,6 +186,8 @@ template <bool Fused, moving B, class F>
 // so that it is right to 31 u², relatively. One correction of the root in doubles leaves 15.5 u² of that, 6.3 u² of the
 // next term, (7.1 u)²/8, and 8 u² of roundings: R = |Δx| is right to 30 u². The normal is then right to 8.3 u² + 4.2 u²
 // + 9.2 u² + 30 u² < 2^-100; s to 32 u² R V/s; and χ = R V/s >= 1, so that 32 u² χ + 30 u² + 71 u² + 94 u² <= 2^-98 χ².
+// Of balls each component of the normal is right to that of itself, and s to 32 u² of the sizes of its terms, which
+// stand for R V in χ then: no component's error is another one's.
 // Of flights Δx is off by 8.1 u² of the length Λ: by Λ/R times that, relatively, as is R; s by χ times that.
 template <bool Fused, moving B, class F>
 [[nodiscard, gnu::always_inline]] inline bool bound_overlap(const B& a, const B& b, double mass_a, double mass_b,
@@ -175,22 +211,32 @@ template <bool Fused, moving B, class F>
     const auto s = closing_speed(y01, y.low01, y2, y.low2, m);
     const lanes v01 = m.u01.value * m.u01.value;
     const double speed2 = v01[0] + v01[1] + m.u_2.value[1] * m.u_2.value[1];
-    const double sensitivity = (sum.value / s.value) * (speed2 / s.value); // χ²
-    if (!(within_powers<-200, 200>(sum.value) && within_powers<-200, 200>(speed2) && s.value > 0 &&
+    const double sensitivity = [&] {
+        if constexpr (is_flight<B>) {
+            return (sum.value / s.value) * (speed2 / s.value); // χ²
+        } else {
+            const lanes terms01 = absolute(m.x01.value * m.u01.value);
+            return (terms01[0] + terms01[1] + absolute(m.xR2.value[1] * m.u_2.value[1])) / s.value;
+        }
+    }();
+    if (!(within_powers<-200, 200>(sum.value) && within_powers<-200, 200>(speed2) && s.value > 0x1p-800 &&
           within_powers<-200, 200>(f.length2) && sensitivity < 0x1p64 && is_usable_mass(mass_a) &&
           is_usable_mass(mass_b))) [[unlikely]] {
         return false;
     }
-    double off = 0;
     if constexpr (is_flight<B>) {
-        off = 0x1p-102 * plain_sqrt(f.length2) / root;
+        const double off = 0x1p-102 * plain_sqrt(f.length2) / root;
         const auto since = [](const exact_pair<double>& before) {
             return lane_time<Fused>{as_factor<Fused>(both(before.value)), before.error};
         };
         bound_positions(a, b, since(f.before_a), since(f.before_b), 0, take);
+        bound_impact(state_of(a), state_of(b), mass_a, mass_b, y, s,
+                     common_error{0x1p-99 + 3 * off, (0x1p-98 + 4 * off) * sensitivity}, take);
+    } else {
+        const lanes exact{0, 0};
+        bound_impact(state_of(a), state_of(b), mass_a, mass_b, y, s,
+                     error_by_component{exact, exact, 0x1p-99, 0x1p-98 * sensitivity}, take);
     }
-    bound_impact(state_of(a), state_of(b), mass_a, mass_b, y, s, 0x1p-99 + 3 * off, (0x1p-98 + 4 * off) * sensitivity,
-                 take);
     return true;
 }
 

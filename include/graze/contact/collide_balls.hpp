@@ -76,6 +76,11 @@ template <moving B>
         if (r.what == undecided) {
             r = contact_by_words(*c, all_components, a, b, mass_a, mass_b);
         }
+        if constexpr (std::same_as<B, ball<dimension_of<B>, double>>) {
+            if (r.what == static_cast<int>(encounter::overlap) && r.certain == 0) {
+                r.certain = overlap_by_distance(*c, a, b, mass_a, mass_b);
+            }
+        }
         if (r.what != undecided) {
             const auto what = static_cast<encounter>(r.what);
             check_masses_of(a, b);

@@ -82,6 +82,24 @@ template <moving B>
     return r;
 }
 
+// The normal and velocities of two balls that overlap, by scales of their own: the radii don't matter. Writes those
+// that are certain. To nearest.
+template <int N>
+[[nodiscard, gnu::noinline]] component_set overlap_by_distance(contact<N, double>& c, ball<N, double> a,
+                                                               ball<N, double> b, double mass_a,
+                                                               double mass_b) noexcept {
+    a.radius = b.radius = 0;
+    const scaled_movers<ball<N, double>> s = scaled(a, b);
+    contact<N, double> found;
+    rounded_components<N, double> taken{found};
+    if (!s.known || !contact_by_doubles(taken, encounter::overlap, s.a, s.b, mass_a, mass_b, 0)) {
+        return 0;
+    }
+    return scale_back(c, taken,
+                      ~three_from(contact_component::position_a) & ~three_from(contact_component::position_b) & ~1U,
+                      s.length, s.velocity);
+}
+
 // Takes what words bound of a hit, and doubles of an overlap.
 template <class Taker, moving B>
 [[nodiscard, gnu::always_inline]] inline words_of_contact take_by_words(Taker& taken, const B& a, const B& b,

@@ -61,7 +61,7 @@ template <bool Fused, moving B>
 // Both positions, side by side: each from its own time, or from the other's position and y if that is more accurate.
 template <bool Fused, moving B, int N, class F>
 [[gnu::always_inline]] inline void bound_positions(const B& a, const B& b, const bounded<double>& time,
-                                                   const vec<N, loose_word<Fused>>& y, double y_error,
+                                                   const vec<N, loose_word<Fused>>& y, const vec<N, double>& y_error,
                                                    F& take) noexcept {
     const word_times<Fused> times = times_of<Fused>(a, b, time);
     const auto& p = state_of(a);
@@ -76,7 +76,7 @@ template <bool Fused, moving B, int N, class F>
         const auto sum = two_sum(others, between);
         const lanes low = sum.error + (picked(own.error, 1, 0) + lanes{y[i].low, -y[i].low});
         const lanes error =
-            picked(own_error, 1, 0) + (0x1p-102 * (absolute(others) + absolute(between)) + both(y_error));
+            picked(own_error, 1, 0) + (0x1p-102 * (absolute(others) + absolute(between)) + both(y_error[i]));
         const bool first = error[0] < own_error[0];
         const bool second = error[1] < own_error[1];
         const auto better = [&](const lanes& other, const lanes& mine) __attribute__((always_inline)) {
@@ -86,6 +86,21 @@ template <bool Fused, moving B, int N, class F>
                             better(error, own_error) + both(underflow)},
              1 + i, 4 + i);
     }
+}
+
+// What each component of y can be off by: every term by what its quotient by a is.
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline vec<2, double> separation_error(const vec<2, loose_word<Fused>>& du,
+                                                                         double across, double along) noexcept {
+    const double u0 = std::fabs(du[0].high), u1 = std::fabs(du[1].high);
+    return {{u1 * across + u0 * along, u0 * across + u1 * along}};
+}
+template <bool Fused>
+[[nodiscard, gnu::always_inline]] inline vec<3, double>
+separation_error(const vec<3, loose_word<Fused>>& du, const vec<3, double>& across, double along) noexcept {
+    const double u0 = std::fabs(du[0].high), u1 = std::fabs(du[1].high), u2 = std::fabs(du[2].high);
+    return {{u1 * across[2] + u2 * across[1] + u0 * along, u2 * across[0] + u0 * across[2] + u1 * along,
+             u0 * across[1] + u1 * across[0] + u2 * along}};
 }
 
 // For a hit.
@@ -101,26 +116,13 @@ template <bool Fused, moving B, class F>
     const auto inverse = inverse_of<Fused>(exact_pair<double>{ordered_a.high, ordered_a.low});
     const word per_a(inverse.high.value, inverse.low);
     const word along = w.root * per_a;
-    double cross_size = 0;
-    const auto y_loose = [&] {
-        if constexpr (N == 2) {
-            const word across = w.cross.value * per_a;
-            cross_size = std::fabs(across.high);
-            return separation_at_contact(w.motion.du, across, along);
-        } else {
-            const vec<3, word> across = make_vec<3>([&](int i) { return w.cross.value[i] * per_a; });
-            cross_size = (std::fabs(across[0].high) + std::fabs(across[1].high)) + std::fabs(across[2].high);
-            return separation_at_contact(w.motion.du, across, along);
-        }
-    }();
+    const auto across = w.cross.over(per_a);
+    const auto y_loose = separation_at_contact(w.motion.du, across, along);
     const auto y = make_vec<N>([&](int i) { return word(two_sum(y_loose[i].high, y_loose[i].low)); });
-    double speed = 0;
-    for (int i = 0; i < N; ++i) {
-        speed += std::fabs(w.motion.du[i].high);
-    }
     constexpr double relative = 1.0001 * (separation_bounds<N>::of_y + separation_bounds<N>::of_a);
-    const double y_error =
-        speed * (relative * (cross_size + along.high) + 1.0001 * (w.cross.error + w.root_error) * inverse.high.value);
+    const auto y_error =
+        separation_error(w.motion.du, w.cross.errors_over(across, relative, 1.0001 * inverse.high.value),
+                         relative * along.high + 1.0001 * w.root_error * inverse.high.value);
     bound_positions<Fused>(a, b, time, y, y_error, take);
 
     const lane_motion unused{};
@@ -131,8 +133,11 @@ template <bool Fused, moving B, class F>
                                       N == 3 ? lanes{0, y[N - 1].low} : zero, as_factor<Fused>(zero)};
     const lane_contact<Fused> contact{unused, y01, y2, y01.low, y2.low, {w.motion.R.high, w.motion.R.low}};
     const word s = w.root.in_order();
-    bound_impact(state_of(a), state_of(b), mass_a, mass_b, contact, exact_pair<double>{s.high, s.low},
-                 1.0001 * y_error / w.motion.R.high + 0x1p-100, 1.0001 * w.root_error / s.high + 0x1p-98, take);
+    const double per_length = 1.0001 / w.motion.R.high;
+    const error_by_component errors{per_length * lanes{y_error[0], y_error[1]},
+                                    per_length * lanes{0, N == 3 ? y_error[N - 1] : 0}, 0x1p-100,
+                                    1.0001 * w.root_error / s.high + 0x1p-98};
+    bound_impact(state_of(a), state_of(b), mass_a, mass_b, contact, exact_pair<double>{s.high, s.low}, errors, take);
 }
 
 // The encounter of two movers by double words, as a number, and whether they were in range.

@@ -51,11 +51,19 @@ struct word_cross<Fused, 2> {
         moved = error * (2 * std::fabs(value.high) + error);
     }
     [[nodiscard, gnu::always_inline]] double size() const noexcept { return std::fabs(value.high); }
+
+    // Over a, and what the quotient can be off by: `relative` of it, and what the product is off by over a.
+    [[nodiscard, gnu::always_inline]] word over(const word& per_a) const noexcept { return value * per_a; }
+    [[nodiscard, gnu::always_inline]] double errors_over(const word& quotient, double relative,
+                                                         double per_a) const noexcept {
+        return relative * std::fabs(quotient.high) + error * per_a;
+    }
 };
 template <bool Fused>
 struct word_cross<Fused, 3> {
     using word = loose_word<Fused>;
     vec<3, word> value;
+    vec<3, double> each{}; // of each component
     double error = 0, moved = 0;
 
     word_cross() = default;
@@ -65,11 +73,19 @@ struct word_cross<Fused, 3> {
         const auto z1 = difference_of_products(x[2], y[0], x[0], y[2]);
         const auto z2 = difference_of_products(x[0], y[1], x[1], y[0]);
         value = {{z0.value, z1.value, z2.value}};
+        each = {{z0.error + off, z1.error + off, z2.error + off}};
         error = ((z0.error + z1.error) + z2.error) + off;
         moved = error * (2 * size() + error);
     }
     [[nodiscard, gnu::always_inline]] double size() const noexcept {
         return (std::fabs(value[0].high) + std::fabs(value[1].high)) + std::fabs(value[2].high);
+    }
+    [[nodiscard, gnu::always_inline]] vec<3, word> over(const word& per_a) const noexcept {
+        return {{value[0] * per_a, value[1] * per_a, value[2] * per_a}};
+    }
+    [[nodiscard, gnu::always_inline]] vec<3, double> errors_over(const vec<3, word>& quotient, double relative,
+                                                                 double per_a) const noexcept {
+        return make_vec<3>([&](int i) { return relative * std::fabs(quotient[i].high) + each[i] * per_a; });
     }
 };
 
