@@ -290,6 +290,9 @@ TEST_CASE("balls that all fly alike in a period never meet, and distances that a
     CHECK_THROWS_WITH_AS((void)graze::first_events(graze::scene<2>{.balls = tiny, .period = {5, 0}}),
                          "ball 0 and ball 1: a coordinate is too small beside the period for an exact distance",
                          std::range_error);
+    const std::vector<graze::wall<2>> thin = {{{1, 1}, {{{1e-200, 0}}}}};
+    CHECK_THROWS_WITH_AS((void)graze::overlapping(graze::scene<2>{.walls = thin, .period = {5, 0}}),
+                         "wall 0: too thin to say where its images are", std::domain_error);
 }
 
 } // namespace first_events_test

@@ -75,7 +75,8 @@ class lookout {
     }
     // Whether nothing has happened for so long that it is known who may meet at all. Nothing will happen before `now`.
     [[nodiscard]] bool is_settled(double now) {
-        if (!remaining_.is_known() && !scene_.is_periodic() && surroundings_.idle().has_waited()) {
+        if (!remaining_.is_known() && !scene_.is_periodic() &&
+            surroundings_.idle().has_waited(scene_.bodies() - scene_.balls())) {
             if (!remaining_.find(flights(), now, surroundings_.idle().affordable_pairs(), alike())) {
                 surroundings_.idle().wait_longer();
             }

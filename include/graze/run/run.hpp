@@ -69,8 +69,7 @@ class run {
                 done.why = ending::time;
                 return done;
             }
-            const body a = d.what.a;
-            const body b = d.what.b;
+            const body a = d.what.a, b = d.what.b;
             if (const time_bounds bounds = scene().rules().bounds(d.when); bounds.lower > still_until_) {
                 still_until_ = bounds.upper;
                 still_ = 0;
@@ -179,9 +178,10 @@ class run {
     }
 
     ending take_earliest(double until) {
+        detail::keep_up_to_date(forecast_, detail::as_states_have<number>(now_)); // if it throws, nothing has changed
         next_ = 0;
         grazed_.clear();
-        return detail::kept_up_to_date(forecast_, now_).take_earliest(simultaneous_, until);
+        return forecast_.take_earliest(simultaneous_, until);
     }
     // Does the event simultaneous_[next_].
     template <class Observer>

@@ -105,15 +105,14 @@ template <class Observer, class Event>
     }
 }
 
-// The forecast, made anew where that is cheaper than to go on. Nothing will happen before `now`.
+// Makes the forecast anew where that is cheaper than to go on. Nothing will happen before `now`.
 template <mechanics M>
-[[nodiscard]] forecast<M>& kept_up_to_date(forecast<M>& ahead, double now) {
+void keep_up_to_date(forecast<M>& ahead, double now) {
     if (ahead.is_outdated()) {
         forecast<M> anew(ahead);
         anew.predict_all(now);
         ahead = std::move(anew);
     }
-    return ahead;
 }
 
 // Which of the two that have just met is jammed, or no_body. Mirrors are not: nothing holds them.

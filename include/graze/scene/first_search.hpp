@@ -113,7 +113,8 @@ class first_search {
         std::push_heap(ends_.begin(), ends_.end(), is_later);
     }
     void renew(body a, double now) {
-        if (!around_.is_periodic() && !remaining_.is_known() && around_.idle().has_waited() &&
+        if (!around_.is_periodic() && !remaining_.is_known() &&
+            around_.idle().has_waited(parts_.bodies() - parts_.balls()) &&
             !remaining_.find(balls_, now, around_.idle().affordable_pairs(), is_alike)) {
             around_.idle().wait_longer();
         }

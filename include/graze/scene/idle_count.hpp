@@ -22,8 +22,11 @@ class idle_count {
     [[nodiscard]] bool is_idle() const noexcept { return shells_ > 100'000 + 1000 * balls_; }
 
     // Whether each ball has left some shells, so that no event may follow; again when `wait_longer` has been called and
-    // as many more have been left. By then to look at so many pairs costs less than the shells have cost.
-    [[nodiscard]] bool has_waited() const noexcept { return shells_ >= std::max(wait_, 4 * balls_ + 32); }
+    // as many more have been left. By then each ball can look at so many planes and walls, and at so many pairs in all,
+    // for less than the shells have cost.
+    [[nodiscard]] bool has_waited(std::size_t standing) const noexcept {
+        return shells_ >= std::max({wait_, 4 * balls_ + 32, balls_ * standing / 8});
+    }
     void wait_longer() noexcept { wait_ = 2 * shells_; }
     [[nodiscard]] std::size_t affordable_pairs() const noexcept { return 8 * shells_; }
 

@@ -104,17 +104,20 @@ class numbered_scene {
             const plane<N, T>& p = scene_.planes[static_cast<std::size_t>(i)];
             result.push_back(endless_extent(in_doubles(p.point), in_doubles(p.normal)));
         }
-        const auto add = [&](const auto& w) {
+        const auto add = [&](const auto& w, const participant& who) {
             std::array<vec<N, double>, N - 1> edge;
             std::transform(w.edge.begin(), w.edge.end(), edge.begin(), in_doubles);
             result.push_back(extent_of(in_doubles(w.corner), edge));
+            if (!result.back().is_bounded() && period() != vec<N, double>{}) {
+                throw std::domain_error(to_string(who) + ": too thin to say where its images are");
+            }
         };
         for (const int i : walls_) {
-            add(scene_.walls[static_cast<std::size_t>(i)]);
+            add(scene_.walls[static_cast<std::size_t>(i)], {partner::wall, i});
         }
         if constexpr (N == 3) {
             for (const int i : triangles_) {
-                add(scene_.triangles[static_cast<std::size_t>(i)]);
+                add(scene_.triangles[static_cast<std::size_t>(i)], {partner::triangle, i});
             }
         }
         return result;
