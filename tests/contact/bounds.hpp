@@ -5,6 +5,8 @@
 
 #include <graze/time/certain_rounding.hpp>
 
+#include <families/random.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -14,18 +16,26 @@ namespace bounds {
 inline constexpr std::size_t components = 16;
 
 // A contact's components in the order in which they are numbered; in the plane the third ones are not used.
-template <int N>
-std::array<oracle::surd, components> listed(const oracle::ball_contact<N>& c) {
+template <int N, class... Vectors>
+std::array<oracle::surd, components> listed(const oracle::surd& time, const Vectors&... vectors) {
     std::array<oracle::surd, components> list;
-    list[0] = c.time;
-    const oracle::surd_vector<N>* const vectors[] = {&c.position_a, &c.position_b, &c.normal, &c.velocity_a,
-                                                     &c.velocity_b};
-    for (std::size_t k = 0; k < 5; ++k) {
-        for (std::size_t i = 0; i < N; ++i) {
-            list[1 + 3 * k + i] = (*vectors[k])[static_cast<int>(i)];
+    list[0] = time;
+    std::size_t at = 1;
+    for (const oracle::surd_vector<N>* vector : {&vectors...}) {
+        for (int i = 0; i < N; ++i) {
+            list[at + static_cast<std::size_t>(i)] = (*vector)[i];
         }
+        at += 3;
     }
     return list;
+}
+template <int N>
+std::array<oracle::surd, components> listed(const oracle::ball_contact<N>& c) {
+    return listed<N>(c.time, c.position_a, c.position_b, c.normal, c.velocity_a, c.velocity_b);
+}
+template <int N>
+std::array<oracle::surd, components> listed(const oracle::wall_contact<N>& c) {
+    return listed<N>(c.time, c.position, c.point, c.normal, c.velocity);
 }
 
 inline mpq_class exact(double x) { return mpq_class(x); }
@@ -43,6 +53,12 @@ bool holds(const graze::detail::bounded<V>& x, int i, const oracle::surd& truth)
     const mpq_class middle = exact(high) + exact(low);
     return oracle::compare(truth, mpq_class(middle + exact(error))) <= 0 &&
            oracle::compare(truth, mpq_class(middle - exact(error))) >= 0;
+}
+
+// The time rounded, and then off by 2^-10 to 2^-70 of it.
+inline double rough_time(families::random& r, const oracle::surd& time) {
+    const double off = std::ldexp(1.0, -static_cast<int>(r.in(10, 70)));
+    return oracle::approximate(time).get_d() * (1 + (r.one_in(2) ? off : -off));
 }
 
 template <int N, class T>

@@ -24,12 +24,6 @@ struct seen {
     int pairs = 0, answered = 0, certain = 0, wrong_bounds = 0, wrong_values = 0;
 };
 
-// The time rounded, and then off by 2^-10 to 2^-70 of it.
-double rough_time(families::random& r, const oracle::surd& time) {
-    const double off = std::ldexp(1.0, -static_cast<int>(r.in(10, 70)));
-    return oracle::approximate(time).get_d() * (1 + (r.one_in(2) ? off : -off));
-}
-
 template <int N, class T>
 void look(seen& s, families::random& r, const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
     if (!is_finite(a) || !is_finite(b) || (std::isinf(a.mass) && std::isinf(b.mass))) {

@@ -172,6 +172,39 @@ template <int N>
     return pair;
 }
 
+// An edge of 2^16 to 2^21 radii, all but along an axis, that is met far from its ends: what is left of the way from its
+// corner to the ball is far smaller than that way. In the plane it is the wall's face.
+template <int N>
+[[nodiscard]] constexpr pair_of_doubles<N> long_edges(std::uint64_t seed, std::uint64_t index) {
+    random r(seed, index);
+    constexpr std::int64_t one = std::int64_t{1} << 50;
+    pair_of_doubles<N> pair;
+    pair.kind = pair_kind::ball_wall;
+    const auto axis = static_cast<int>(r.below(N));
+    const int power = static_cast<int>(r.in(16, 20));
+    const std::int64_t length = r.in(one, 2 * one - 1), eighths = r.in(1, 7), way = r.either_sign(1);
+    pair.a.position[axis] = make_double(way * (length / 8 * eighths) + r.signed_bits(46), power - 50);
+    pair.a.velocity[axis] = make_double(r.signed_bits(50), -50);
+    pair.a.radius = make_double(r.in(one / 2, one), -50);
+    pair.a.mass = random_mass(r);
+    pair.wall.corner[axis] = make_double(r.signed_bits(50), -50);
+    pair.wall.edge[0][axis] = make_double(way * length, power - 50);
+    for (int k = 1; k < N; ++k) { // along the first of the other axes it comes from 3 away, along the second from 2
+        const int i = (axis + k) % N;
+        const std::int64_t side = r.either_sign(1), corner = r.signed_bits(50), slope = r.signed_bits(50);
+        const std::int64_t speed = k == 1 ? r.in(one / 2, one) : r.in(one / 10 * 3, one / 10 * 6);
+        pair.wall.corner[i] = make_double(corner, -50);
+        pair.wall.edge[0][i] = make_double(slope, -50);
+        pair.wall.edge[N - 2][i] = k == 2 ? make_double(side * one, -50) : pair.wall.edge[N - 2][i];
+        pair.a.position[i] = make_double(corner + slope / 8 * eighths - (4 - k) * side * one, -50);
+        pair.a.velocity[i] = make_double(side * speed, -50);
+    }
+    if (r.one_in(2)) {
+        std::swap(pair.wall.edge.front(), pair.wall.edge.back());
+    }
+    return pair;
+}
+
 inline constexpr std::array more_families{
     family{"small_grid_balls", "", "", small_grid<2, pair_kind::ball_ball>, small_grid<3, pair_kind::ball_ball>},
     family{"small_grid_planes", "", "", small_grid<2, pair_kind::ball_plane>, small_grid<3, pair_kind::ball_plane>},
@@ -182,6 +215,7 @@ inline constexpr std::array more_families{
     family{"scaled_walls", "", "", scaled_walls<2>, scaled_walls<3>},
     family{"subnormal_walls", "", "", subnormal_walls<2>, subnormal_walls<3>},
     family{"own_exponents_walls", "", "", own_exponents_walls<2>, own_exponents_walls<3>},
+    family{"long_edges", "", "", long_edges<2>, long_edges<3>},
 };
 
 } // namespace families

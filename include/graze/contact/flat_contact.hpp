@@ -14,8 +14,8 @@
 namespace graze::inline v0_1::detail {
 
 // A plane or a face. from: w for an overlap, else nothing.
-template <bool Fused, int N, class T>
-[[gnu::always_inline]] inline void take_face_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
+template <bool Fused, int N, class T, class Take>
+[[gnu::always_inline]] inline void take_face_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, Take>& path,
                                                      const face_touch<N>& touch, double V,
                                                      const parts_vector<N>* from) noexcept {
     const auto& f = path.f;
@@ -50,9 +50,7 @@ template <bool Fused, int N, class T>
             path.take_position(s, i, wall_component::position, c.position[i]);
         }
         if (known_zeros && is_exact_zero(n[i])) {
-            path.take.exact(0, at_normal, c.normal[i]);
-            path.take.exact(f.u[i], at_velocity, c.velocity[i]);
-            path.take_position(s, i, wall_component::point, c.point[i]);
+            path.take_unturned(s, i, c);
             continue;
         }
         const auto unit = product_in_parts<Fused>(n[i], per_length);
@@ -75,8 +73,8 @@ template <bool Fused, int N, class T>
 // An edge of direction d, or a corner. y: the centre from it at the contact, off by `error` in each component. For an
 // edge the part of y along d is taken off, a third time as much error at most; where d is along an axis, exactly. The
 // rest is split anew: a component may cancel to its low part, and products of two such parts are not small.
-template <bool Fused, int N, class T>
-[[gnu::always_inline]] inline void take_round_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, T>& path,
+template <bool Fused, int N, class T, class Take>
+[[gnu::always_inline]] inline void take_round_contact(wall_contact<N, T>& c, const path_in_parts<Fused, N, Take>& path,
                                                       parts_vector<N> y, double error, const parts_vector<N>* d,
                                                       int corner, double V) noexcept {
     const auto& f = path.f;
@@ -115,9 +113,7 @@ template <bool Fused, int N, class T>
         path.take_position(s, i, wall_component::position, c.position[i]);
         const int at_point = static_cast<int>(wall_component::point) + i;
         if (i == axis) {
-            path.take.exact(0, static_cast<int>(wall_component::normal) + i, c.normal[i]);
-            path.take.exact(f.u[i], static_cast<int>(wall_component::velocity) + i, c.velocity[i]);
-            path.take_position(s, i, wall_component::point, c.point[i]);
+            path.take_unturned(s, i, c);
             continue;
         }
         const auto unit = product_in_parts<Fused>(y[i], per_radius);
@@ -155,13 +151,18 @@ struct flat_contact_near {
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] component_set operator()(std::bool_constant<Fused>) const noexcept {
+        return given_to<Fused>(certain_components<N, T>{});
+    }
+    // Gives `take` what is exact, and the rest with bounds. Take: certain_components, or what a test looks at them
+    // with.
+    template <bool Fused, class Take>
+    [[nodiscard, gnu::always_inline]] component_set given_to(Take take) const noexcept {
         const flat_row<N> f(kind, row);
         double V = 0, size = f.r;
         for (int i = 0; i < N; ++i) {
             V += absolute(f.u[i]);
             size += absolute(f.x[i]) + absolute(f.corner[i]);
         }
-        certain_components<N, T> take;
         if (kind == event_kind::plane || kind == event_kind::face) {
             const auto from = difference_in_parts<N>(f.x, f.corner);
             auto touch = touch_face<Fused, N>(from, f.u, normal_in_parts<Fused>(kind, f), f.r, time);
@@ -176,7 +177,7 @@ struct flat_contact_near {
             if (time != 0) {
                 take((*clock)(touch.time.bounds()), 0, c->time);
             }
-            take_face_contact<Fused, N, T>(*c, {f, touch.time, take}, touch, V, time == 0 ? &from : nullptr);
+            take_face_contact<Fused, N, T, Take>(*c, {f, touch.time, take}, touch, V, time == 0 ? &from : nullptr);
             return take.open_components();
         }
         const bool is_edge = N == 3 && kind == event_kind::edge;
@@ -201,8 +202,8 @@ struct flat_contact_near {
         for (int i = 0; i < N; ++i) {
             y.component[i].error += f.u[i] * t.low;
         }
-        take_round_contact<Fused, N, T>(*c, {f, t, take}, y, 1.01 * V * t.error + 0x1p-100 * y.size(),
-                                        is_edge ? &d : nullptr, from_corner, V);
+        take_round_contact<Fused, N, T, Take>(*c, {f, t, take}, y, 1.01 * V * t.error + 0x1p-100 * y.size(),
+                                              is_edge ? &d : nullptr, from_corner, V);
         return take.open_components();
     }
 };

@@ -52,11 +52,11 @@ template <int N>
 }
 
 // A ball's path until it touches, in parts: its position, and the errors of the terms that it is added up from.
-template <bool Fused, int N, class T>
+template <bool Fused, int N, class Take>
 struct path_in_parts {
     const flat_row<N>& f;
     const flat_time& t;
-    certain_components<N, T>& take;
+    Take& take;
 
     struct step {
         exact_pair<double> position;
@@ -72,12 +72,20 @@ struct path_in_parts {
                 size + 1.01 * absolute(f.u[i]) * t.error,
                 bits_of(f.u[i]) << 1 == 0};
     }
+    template <class T>
     [[gnu::always_inline]] void take_position(const step& s, int i, wall_component part, T& to) const noexcept {
         if (s.stays) {
             take.exact(f.x[i], static_cast<int>(part) + i, to);
         } else {
             take({s.position.value, s.position.error, s.error}, static_cast<int>(part) + i, to);
         }
+    }
+    // In a direction across the normal.
+    template <class T>
+    [[gnu::always_inline]] void take_unturned(const step& s, int i, wall_contact<N, T>& c) const noexcept {
+        take.exact(0, static_cast<int>(wall_component::normal) + i, c.normal[i]);
+        take.exact(f.u[i], static_cast<int>(wall_component::velocity) + i, c.velocity[i]);
+        take_position(s, i, wall_component::point, c.point[i]);
     }
 };
 
