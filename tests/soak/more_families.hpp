@@ -172,7 +172,7 @@ template <int N>
     return pair;
 }
 
-// An edge of 2^16 to 2^21 radii, all but along an axis, that is met far from its ends: what is left of the way from its
+// An edge of 2^16 to 2^22 radii, all but along an axis, that is met far from its ends: what is left of the way from its
 // corner to the ball is far smaller than that way. In the plane it is the wall's face.
 template <int N>
 [[nodiscard]] constexpr pair_of_doubles<N> long_edges(std::uint64_t seed, std::uint64_t index) {
