@@ -88,19 +88,21 @@ template <bool Fused, moving B, int N, class F>
     }
 }
 
-// What each component of y can be off by: every term by what its quotient by a is.
+// What each component of y can be off by: every term by what its quotient by a is, and by underflow. With |Δu| within
+// 2^-150 and 2^131 that is below 2^-1070/|Δu| < 2^-900.
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline vec<2, double> separation_error(const vec<2, loose_word<Fused>>& du,
                                                                          double across, double along) noexcept {
     const double u0 = std::fabs(du[0].high), u1 = std::fabs(du[1].high);
-    return {{u1 * across + u0 * along, u0 * across + u1 * along}};
+    return {{u1 * across + u0 * along + 0x1p-900, u0 * across + u1 * along + 0x1p-900}};
 }
 template <bool Fused>
 [[nodiscard, gnu::always_inline]] inline vec<3, double>
 separation_error(const vec<3, loose_word<Fused>>& du, const vec<3, double>& across, double along) noexcept {
     const double u0 = std::fabs(du[0].high), u1 = std::fabs(du[1].high), u2 = std::fabs(du[2].high);
-    return {{u1 * across[2] + u2 * across[1] + u0 * along, u2 * across[0] + u0 * across[2] + u1 * along,
-             u0 * across[1] + u1 * across[0] + u2 * along}};
+    return {{u1 * across[2] + u2 * across[1] + u0 * along + 0x1p-900,
+             u2 * across[0] + u0 * across[2] + u1 * along + 0x1p-900,
+             u0 * across[1] + u1 * across[0] + u2 * along + 0x1p-900}};
 }
 
 // For a hit.

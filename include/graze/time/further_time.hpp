@@ -67,6 +67,9 @@ template <moving B>
     decided_approach r;
     if constexpr (has_error_free_doubles) {
         const auto started = start_filter(a, b);
+        if (!started.in_range) {
+            return r;
+        }
         if (is_distant(as_stored(state_of(a).radius) + as_stored(state_of(b).radius), started.length2)) {
             r = with_fused_products(distant_movers<B>{&a, &b}, r);
         } else if (std::fabs(started.q.c) < 0x1p-30 * started.length2) {
