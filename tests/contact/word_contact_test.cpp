@@ -296,6 +296,7 @@ void look_at_discriminant(families::random& r, int& narrow) {
     const graze::detail::sharp_discriminant<N> task{&m};
     for (const auto& d : {task(std::true_type{}), task(std::false_type{})}) {
         CHECK(abs(exact(d.value) - truth) <= mpq_class(d.error));
+        CHECK(d.value.value + d.value.error == d.value.value); // a root is taken of it
         narrow += d.error < 0x1p-80 * std::fabs(d.value.value) ? 1 : 0;
     }
 }
@@ -307,6 +308,32 @@ TEST_CASE("D of near-grazes is right to three times a double's precision") {
         look_at_discriminant<3>(r, narrow);
     }
     CHECK(narrow > 1500); // of 2000: balls that come from 2^30 away leave fewer bits
+}
+
+// D is 2^-84 and 2^-80 of its terms, and two of its three parts overlap.
+TEST_CASE("bounds hold where D cancels nearly all of a double word") {
+    seen s;
+    look(s,
+         graze::ball<2>{{-0x1.39155e98d9a9cp+0, -0x1.747dcc1ccc99ep+57},
+                        {0, 0x1.9523ce20303d5p+110},
+                        0x1.283235308a7ccp-33,
+                        0x1.bc3e136550caap+20},
+         graze::ball<2>{{-0x1.96b44e4883e4ep+86, 0x1.f88a5d7179fa1p-41},
+                        {0x1.3ea885acef9c9p+48, 0x1.051a183065f18p+109},
+                        0x1.96b44e4883e4ep+86,
+                        0x1.550577bf6912p-4});
+    look(s,
+         graze::ball<3>{{0x1.6c59f006c9102p+221, -0x1.7dff5456151aep-165, -0x1.6fe95767d99f4p-288},
+                        {-0x1.68e5dd54a82dap-36, 0, 0},
+                        0x1.5f8ada5bfd899p+221,
+                        0x1.7966121871aadp-14},
+         graze::ball<3>{{-0x1.e8b42fb5232fcp+122, 0, 0x1.5f118cf9e02cep-180},
+                        {0x1.20a7d373826c4p+237, -0x1.afd49cfa29476p-254, 0x1.e31612a017976p+277},
+                        0x1.99e2b55970d2p+216,
+                        0x1.ee5644f074c8p+9});
+    CHECK(s.meet == 2);
+    CHECK(s.wrong == 0);
+    CHECK(s.wrong_bounds == 0);
 }
 
 TEST_CASE("the widest stage of a time and of a contact") {

@@ -25,7 +25,7 @@ struct term_list {
         append(x.value);
         append(x.error);
     }
-    // The sum as three doubles, each small relative to the one before.
+    // The sum as three doubles, each small relative to the terms that are added up to the one before.
     [[nodiscard, gnu::noinline]] constexpr vec<3, double> sum() const noexcept {
         accurate_sum<false> all;
         for (int i = 0; i < count; ++i) {
@@ -81,8 +81,8 @@ struct sharp_discriminant {
             error += added * (0x1p-146 * size + 0x1p-240 * added);
         }
         const auto d = of_d.sum();
-        const exact_pair<double> value{d[0], settled(d[1] + d[2])};
-        return {value, 0x1p-104 * std::fabs(d[0]) + (0x1p-143 * terms + error)};
+        const auto value = two_sum(d[0], settled(d[1] + d[2])); // of what cancelled, d[1] may be more than a last place
+        return {value, 0x1p-104 * std::fabs(value.value) + (0x1p-143 * terms + error)};
     }
 
   private:
