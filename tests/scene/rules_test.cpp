@@ -290,8 +290,8 @@ TEST_CASE("other states are checked, and a run goes on from them as from a start
     CHECK(message([](auto& f) { f.state.position[1] = std::nan(""); }) == "ball 1: position is not finite");
     CHECK(message([](auto& f) { f.state.velocity[0] = infinite; }) == "ball 1: velocity is not finite");
     CHECK(message([](auto& f) { f.since = infinite; }) == "ball 1: time is not finite");
-    CHECK(message([](auto& f) { f.state.radius = 2; }) == "ball 1: radius is another one");
-    CHECK(message([](auto& f) { f.state.mass = 2; }) == "ball 1: mass is another one");
+    CHECK(message([](auto& f) { f.state.radius = 2; }) == "ball 1: radius has changed");
+    CHECK(message([](auto& f) { f.state.mass = 2; }) == "ball 1: mass has changed");
     CHECK(message([](auto& f) { f.since = 3; }) == "ball 1: state is earlier than the last event");
     CHECK(run.in_flight(1).state.velocity[0] == 1);
     CHECK(run.advance({}).why == graze::ending::exhausted);

@@ -36,8 +36,8 @@ template <mechanics M>
     return !is_finite(is.state.position)         ? "position is not finite"
            : !is_finite(is.state.velocity)       ? "velocity is not finite"
            : !is_finite_input(is.since)          ? "time is not finite"
-           : is.state.radius != was.state.radius ? "radius is another one"
-           : is.state.mass != was.state.mass     ? "mass is another one"
+           : is.state.radius != was.state.radius ? "radius has changed"
+           : is.state.mass != was.state.mass     ? "mass has changed"
            : !scene[a].immovable && is.since + std::fabs(is.since) * 0x1p-48 < now
                ? "state is earlier than the last event"
                : nullptr;

@@ -104,10 +104,10 @@ void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scal
 
 namespace batch {
 
-// When each ball of a first touches the ball of the same index in b, or the one ball, plane or wall b. time[i] is
-// time_of_impact(a[i], b[i]) rounded once: to nearest (ties to even) or, like its lower() and upper(), down or up. It
-// is +infinity if they never touch. `time` holds numbers of type T; for balls of integers, doubles. Arguments,
-// exceptions and what has been written after one are as for classify.
+// When each ball of a first touches the ball of the same index in b, or the one ball, plane, wall or triangle b.
+// time[i] is time_of_impact(a[i], b[i]) rounded once: to nearest (ties to even) or, like its lower() and upper(), down
+// or up. It is +infinity if they never touch. `time` holds numbers of type T; for balls of integers, doubles.
+// Arguments, exceptions and what has been written after one are as for classify.
 template <class A, class B, class Mode = detail::unit_mode>
 requires detail::batch_of<A, B>
 void time_of_impact(const A& a, const B& b,
