@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -281,6 +282,30 @@ TEST_CASE("in a scene that has a period the first events and the overlaps are th
     }));
     CHECK(images > 60);
     CHECK(several > 2);
+}
+
+// Ball 0 leaves many shells before it comes to ball 1, which is given a period behind; the others lie beside its way.
+TEST_CASE("an image far away is met, from either side") {
+    for (const double way : {1.0, -1.0}) {
+        std::vector<graze::ball<2>> balls = {{{0, 0}, {way, 0}, 0.5, 1}, {{-34 * way, 0}, {0, 0}, 0.5, 1}};
+        for (int i = 0; i < 14; ++i) {
+            balls.push_back({{4.0 * i, 8}, {0, 0}, 0.5, 1});
+        }
+        const auto found = graze::first_events(graze::scene<2>{.balls = balls, .period = {64, 0}});
+        REQUIRE(found.events.size() == 1);
+        CHECK(found.events[0].a + found.events[0].b == 1);
+        CHECK(static_cast<double>(*found.time) == 29);
+    }
+}
+
+TEST_CASE("a ball may be nearly as large as a number can be") {
+    for (const double radius : {0x1p1000, 1.6e308, std::numeric_limits<double>::max()}) {
+        const std::vector<graze::ball<2>> balls = {
+            {{0, 0}, {0, 0}, radius, 1}, {{-3, radius}, {1, 0}, 1, 1}, {{5, 0}, {0, 0}, 1, 1}};
+        const auto found = graze::first_events(graze::scene<2>{.balls = balls});
+        REQUIRE(found.events.size() == 1);
+        CHECK(found.events[0].a == 1);
+    }
 }
 
 TEST_CASE("balls that all fly alike in a period never meet, and distances that are no number are named") {

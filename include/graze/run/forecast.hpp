@@ -81,10 +81,9 @@ class forecast : public lookout<M> {
                         }
                     }
                     renew(a);
-                } else if (is_stale(p)) {
+                } else if (is_stale(p) || !add_nearest(a, p, limit)) {
                     set(a, look_again(a, p.lower));
                 } else {
-                    add_nearest(a, p, limit);
                     if (taken_.empty() && calendar_.is_only_until(limit)) {
                         break;
                     }
@@ -175,18 +174,26 @@ class forecast : public lookout<M> {
         const body x = std::min(a, b), y = std::max(a, b);
         found_.push_back({lower, x, y, scene_.count(x), count(y), x == a ? image : image_index{} - image});
     }
-    // Writes what a may meet until `latest` to found_.
-    void gather(body a, double latest, bool has_changed) {
+    // Writes what a may meet until `latest` to found_. Returns by when it certainly meets one of these.
+    double gather(body a, double latest, bool has_changed) {
+        double upper = never;
         this->for_each_own(a, has_changed, [&](body b, image_index image) {
             if (const time_bounds bounds = when(a, b, image, latest); bounds.lower <= latest && bounds.lower < never) {
                 find(a, b, image, bounds.lower);
+                upper = std::min(upper, bounds.upper);
             }
         });
+        return upper;
     }
-    void add_nearest(body a, const plan& p, double& limit) {
+    // False, and adds nothing, if it is no longer certain that a meets something until p.upper: what it would have met
+    // has changed.
+    [[nodiscard]] bool add_nearest(body a, const plan& p, double& limit) {
         found_.clear();
         if (p.contested) {
-            gather(a, std::min(limit, p.upper), false);
+            const double latest = std::min(limit, p.upper);
+            if (gather(a, latest, false) > latest && latest < limit) {
+                return false;
+            }
         } else {
             find(a, p.b, p.image, p.lower);
         }
@@ -194,6 +201,7 @@ class forecast : public lookout<M> {
             nearest_.push_back({f, *scene_.meet(f.a, f.b, f.image)});
             limit = std::min(limit, scene_.rules().bounds(nearest_.back().when).upper);
         }
+        return true;
     }
     void return_taken() noexcept {
         for (const body a : taken_) {

@@ -28,7 +28,8 @@ class levelled_points {
     levelled_points() = default;
     // For so many points; cells are cut so that usual_reach is the largest on its level.
     levelled_points(std::size_t points, double usual_reach, const point& period)
-        : entries_(points), heads_(std::bit_ceil(2 * points + 16), no_body), base_(usual_reach), period_(period) {
+        : entries_(points), heads_(std::bit_ceil(2 * points + 16), no_body), base_(std::min(usual_reach, 0x1p1000)),
+          period_(period) {
         for (int i = 0; i < N; ++i) {
             slack_ = std::max(slack_, 0x1p-40 * period[i]);
         }
@@ -116,7 +117,7 @@ class levelled_points {
         for (; reach > top; top *= 2) {
             ++power;
         }
-        for (; reach <= top / 2; top /= 2) {
+        for (; reach <= top / 2 && top / 2 < top; top /= 2) { // an infinite top stays
             --power;
         }
         return power;
