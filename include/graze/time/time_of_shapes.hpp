@@ -77,9 +77,9 @@ template <moving B>
                                                                                         const B& a, const B& b) {
     if (found.is_hit()) {
         const bounded<double> time = on_clock_of(a, b, found.time());
-        const auto ends = ends_of<double>(time);
-        const enclosure bounds{ends.upper, 0x1p-49 * absolute(ends.upper) + time.error};
-        return time_within(bounds, a, b, false, agree<double>(ends));
+        const double near = settled(time.high + settled(time.low));
+        const enclosure bounds{near, 0x1p-49 * absolute(near) + time.error};
+        return time_within(bounds, a, b, false, agree<double>(ends_of<double>(time)));
     }
     return found.what == static_cast<int>(encounter::overlap) ? time_of_overlap(a, b) : std::nullopt;
 }
