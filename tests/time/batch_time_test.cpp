@@ -125,6 +125,24 @@ TEST_CASE("Against a plane and a wall, and of integers") {
     CHECK(same_bits(times_of(p.a.columns(), floor, rounding::nearest, none), with_plane));
     CHECK(same_bits(times_of(p.a.all(), wall, rounding::nearest, none), with_wall));
 
+    // Many blocks in a row of balls that hit the wall, among others; lanes are asked about some of them.
+    std::vector<graze::ball<3>> many;
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < 12'000; ++i) {
+        graze::ball<3> b = p.a.all()[i % 300];
+        if (i % 5'000 < 3'000) {
+            b = {{b.position[0] / 8, b.position[1] / 8, 40}, {0, 0, -1 - b.radius}, 0.25};
+        }
+        many.push_back(b);
+        expected.push_back(scalar_time(b, wall, rounding::nearest));
+    }
+    CHECK(same_bits(times_of(many, wall, rounding::nearest, std::vector<double>(many.size())), expected));
+    std::vector<graze::encounter> what(many.size());
+    graze::batch::classify(many, wall, what);
+    for (std::size_t i = 0; i < many.size(); ++i) {
+        REQUIRE(what[i] == graze::classify(many[i], wall));
+    }
+
     const std::vector<graze::ball<2, std::int32_t>> a{{{0, 0}, {3, 0}, 1}}, b{{{9, 0}, {0, 0}, 1}};
     CHECK(times_of(a, b, rounding::nearest, std::vector<double>(1)) == std::vector<double>{7.0 / 3});
 }

@@ -121,21 +121,38 @@ template <class Question, class Mode, class A, class B>
     });
 }
 
+// Whether lanes cost much of a pair's decision: for walls and triangles.
+template <class B>
+inline constexpr bool has_dear_lanes = requires(const B& b) {
+    b.at(0).edge;
+};
+
 template <class Question, class Mode, int Wider = compiled_register_bytes, class A, class B>
 void decide_all(const A& a, const B& b, std::span<typename Question::answer> answers) {
     require_size<Mode>(a, b, answers.size());
+    const auto one_by_one = [&](std::size_t from, std::size_t end) {
+        for (std::size_t i = from; i < end; ++i) {
+            of_pair<Mode>(i, [&] { answers[i] = Question::one(a.at(i), b.at(i)); });
+        }
+    };
     if constexpr (has_lanes<Question, A, B>) {
+        lane_pause pause;
         for (std::size_t from = 0; from < answers.size(); from += block_size) {
             const std::size_t count = std::min(block_size, answers.size() - from);
+            if constexpr (has_dear_lanes<B>) {
+                if (!pause.is_over()) {
+                    one_by_one(from, from + count);
+                    continue;
+                }
+            }
             open_pairs left;
             ask_widest_lanes<is_foreign<A> || is_foreign<B> ? 0 : Wider, Question>(a, b, from, count,
                                                                                    answers.data() + from, left);
+            pause.note(left, count);
             settle<Question, Mode>(a, b, from, left, answers.data());
         }
     } else {
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            of_pair<Mode>(i, [&] { answers[i] = Question::one(a.at(i), b.at(i)); });
-        }
+        one_by_one(0, answers.size());
     }
 }
 

@@ -24,6 +24,13 @@ struct open_pairs {
             add(i, 1);
         }
     }
+    [[nodiscard]] std::size_t count() const noexcept {
+        std::size_t sum = 0;
+        for (const std::uint64_t w : word) {
+            sum += static_cast<std::size_t>(std::popcount(w));
+        }
+        return sum;
+    }
     // f(i) of each, in order.
     template <class F>
     void each(const F& f) const {
@@ -33,6 +40,23 @@ struct open_pairs {
             }
         }
     }
+};
+
+// Where lanes cost a fifth of a pair's decision, they lose time on blocks of which they leave most pairs open. After
+// such a block seven are asked one by one.
+class lane_pause {
+  public:
+    [[nodiscard]] bool is_over() noexcept {
+        if (blocks_ == 0) {
+            return true;
+        }
+        --blocks_;
+        return false;
+    }
+    void note(const open_pairs& left, std::size_t count) noexcept { blocks_ = 4 * left.count() > 3 * count ? 7 : 0; }
+
+  private:
+    int blocks_ = 0;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -23,8 +23,9 @@ struct lane_pair_of_flat {
     unsigned odd_radii;
 
     [[gnu::always_inline]] lane_pair_of_flat(const ball<N, V>& b, const Shape& shape) noexcept
-        : motion{b.position - shape.corner, b.velocity, shape.edge, b.radius, is_triangle<Shape>}, judge(motion),
-          flat(motion, judge), odd_radii(sign_bits(b.radius)) {}
+        : motion{make_vec<N>([&](int i) { return settled(b.position[i] - shape.corner[i]); }), b.velocity, shape.edge,
+                 b.radius, is_triangle<Shape>},
+          judge(motion), flat(motion, judge), odd_radii(sign_bits(b.radius)) {}
 
     // The lanes that have no answer, if `certain` ones have one for good input.
     [[nodiscard, gnu::always_inline]] unsigned open(const typename V::mask& certain) const noexcept {

@@ -1,6 +1,7 @@
 // Which balls may still meet, when they have long flown apart.
 #pragma once
 
+#include <graze/filter/static_filter.hpp>
 #include <graze/formula/contact.hpp>
 #include <graze/scene/centre_cells.hpp>
 #include <graze/shape/flight.hpp>
@@ -25,8 +26,8 @@ class remaining_pairs {
     // known to shells of these flights is known here. [end_of_shell]
     template <class F>
     [[nodiscard]] bool find(std::span<const flight<N, double>> balls, double now, std::size_t most, F is_alike) {
-        const double window = window_of(balls, now) / 2; // of each of two
-        is_selective_ = window > 0x1p-400 && window < 0x1p400;
+        const double window = window_of(balls, now) / 2;  // of each of two
+        is_selective_ = within_powers<-400, 400>(window); // no NaN
         if (!is_selective_) {
             is_known_ = most / balls.size() >= balls.size();
             return is_known_;

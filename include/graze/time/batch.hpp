@@ -83,13 +83,17 @@ void time_all(const A& a, const B& b, std::span<rounded_time_of<typename A::scal
     const auto one = [&](std::size_t i) { of_pair<Mode>(i, [&] { round_impact(a.at(i), b.at(i), mode, time[i]); }); };
     if constexpr (has_time_lanes<A, B> || rules_out_in_lanes<A, B>) {
         constexpr int wider = is_foreign<A> || is_foreign<B> ? 0 : Wider;
+        lane_pause pause;
         for (std::size_t from = 0; from < time.size(); from += block_size) {
             const std::size_t count = std::min(block_size, time.size() - from);
             open_pairs left;
             if constexpr (has_time_lanes<A, B>) {
                 time_widest_lanes<wider>(a, b, from, count, mode, time.data(), left);
-            } else {
+            } else if (pause.is_over()) {
                 rule_out<wider>(a, b, from, count, time.data(), left);
+                pause.note(left, count);
+            } else {
+                left.add_rest(0, count);
             }
             left.each([&](std::size_t k) { one(from + k); });
         }

@@ -71,8 +71,9 @@ template <bool Fused>
     const double z = turn * t0;
     const double s = turn * (inverse * length2);
     decided_approach r;
+    const double gap = std::fabs(c.value);
     if (!hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(a), g.value > 0,
-                       s<0x1p20, std::fabs(z) < 0x1p-26, std::fabs(c.value)> 0x1p-60 * length2)) {
+                       gap > 0x1p-60 * length2, std::fabs(z) < 0x1p-26, s < 0x1p20)) {
         return r;
     }
     if (c.value < 0) {

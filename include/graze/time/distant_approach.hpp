@@ -1,6 +1,7 @@
 // When two movers from far away meet, if they do: from about where they are closest, in doubles.
 #pragma once
 
+#include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
 #include <graze/predicate/refined_balls.hpp>
 #include <graze/time/enclosure.hpp>
@@ -60,7 +61,7 @@ template <bool Fused, int N>
     const double distance2 = dot(y01, y_2, y01, y_2);
     const double R2 = m.xR2.value[0] * m.xR2.value[0];
     const double P = R2 + distance2;
-    const double D = a * (R2 - distance2) + h0 * h0;
+    const double D = discriminant_halved{}(quadratic<double, double, double>{a, h0, distance2 - R2});
     const double E = 0x1.2p-48 * P + 0x1p-149 * length2;
     decided_approach r;
     if (!hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(a), std::fabs(D) > a * E, t0 > 0,
