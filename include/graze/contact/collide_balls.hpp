@@ -32,9 +32,14 @@ constexpr void check_masses_of(const B& a, const B& b) {
 template <moving B>
 [[nodiscard, gnu::noinline]] stage complete_further(contact_of_movers<B>& c, component_set open_components,
                                                     encounter what, const B& a, const B& b) {
+    const double mass_a = mass_in_doubles(a, b);
+    const double mass_b = mass_in_doubles(b, a);
     if (what == encounter::hit) {
-        open_components &=
-            ~contact_by_words(c, open_components, a, b, mass_in_doubles(a, b), mass_in_doubles(b, a)).certain;
+        open_components &= ~contact_by_words(c, open_components, a, b, mass_a, mass_b).certain;
+    } else if constexpr (std::same_as<B, ball<dimension_of<B>, double>>) {
+        if (rounds_to_nearest()) {
+            open_components &= ~overlap_by_distance(c, open_components, a, b, mass_a, mass_b);
+        }
     }
     if (open_components == 0) {
         return stage::double_word;
@@ -76,11 +81,6 @@ template <moving B>
         if (r.what == undecided) {
             r = contact_by_words(*c, all_components, a, b, mass_a, mass_b);
         }
-        if constexpr (std::same_as<B, ball<dimension_of<B>, double>>) {
-            if (r.what == static_cast<int>(encounter::overlap) && r.certain == 0) {
-                r.certain = overlap_by_distance(*c, a, b, mass_a, mass_b);
-            }
-        }
         if (r.what != undecided) {
             const auto what = static_cast<encounter>(r.what);
             check_masses_of(a, b);
@@ -91,7 +91,7 @@ template <moving B>
             if (open_components == 0) {
                 return {c, r.decided_by};
             }
-            if (r.decided_by == stage::filter) {
+            if (r.decided_by == stage::filter || what == encounter::overlap) {
                 const stage by = complete_further(*c, open_components, what, a, b);
                 return {c, by};
             }

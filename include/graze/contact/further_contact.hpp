@@ -82,22 +82,38 @@ template <moving B>
     return r;
 }
 
-// The normal and velocities of two balls that overlap, by scales of their own: the radii don't matter. Writes those
-// that are certain. To nearest.
+// The normal and velocities of two balls that overlap, by scales of their own: the radii don't matter. Writes those of
+// the wanted ones that are certain. To nearest.
 template <int N>
-[[nodiscard, gnu::noinline]] component_set overlap_by_distance(contact<N, double>& c, ball<N, double> a,
-                                                               ball<N, double> b, double mass_a,
+[[nodiscard, gnu::noinline]] component_set overlap_by_distance(contact<N, double>& c, component_set wanted,
+                                                               ball<N, double> a, ball<N, double> b, double mass_a,
                                                                double mass_b) noexcept {
     a.radius = b.radius = 0;
     const scaled_movers<ball<N, double>> s = scaled(a, b);
-    contact<N, double> found;
-    rounded_components<N, double> taken{found};
-    if (!s.known || !contact_by_doubles(taken, encounter::overlap, s.a, s.b, mass_a, mass_b, 0)) {
+    if (!s.known) {
         return 0;
     }
-    return scale_back(c, taken,
-                      ~three_from(contact_component::position_a) & ~three_from(contact_component::position_b) & ~1U,
-                      s.length, s.velocity);
+    contact<N, double> found;
+    rounded_components<N, double> taken{found};
+    if (!contact_by_doubles(taken, encounter::overlap, s.a, s.b, mass_a, mass_b, 0)) {
+        return 0;
+    }
+    if (mass_a == mass_b) {
+        const auto exchanged = exchange_of_overlap(s.a, s.b);
+        const auto take_open = [&](const bounded<double>& x, contact_component first, int i) {
+            const int number = static_cast<int>(first) + i;
+            if ((taken.certain >> number & 1U) == 0) {
+                taken(x, number);
+            }
+        };
+        for (int i = 0; i < N; ++i) {
+            take_open(exchanged.a[i], contact_component::velocity_a, i);
+            take_open(exchanged.b[i], contact_component::velocity_b, i);
+        }
+    }
+    constexpr component_set positions =
+        three_from(contact_component::position_a) | three_from(contact_component::position_b);
+    return scale_back(c, taken, wanted & ~positions & ~1U, s.length, s.velocity);
 }
 
 // Takes what words bound of a hit, and doubles of an overlap.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <graze/contact/contact_in_doubles.hpp>
+#include <graze/contact/equal_masses.hpp>
 #include <graze/formula/contact.hpp>
 #include <graze/time/further_time.hpp>
 
@@ -139,7 +140,15 @@ template <bool Fused, moving B, class F>
     const error_by_component errors{per_length * lanes{y_error[0], y_error[1]},
                                     per_length * lanes{0, N == 3 ? y_error[N - 1] : 0}, 0x1p-100,
                                     1.0001 * w.root_error / s.high + 0x1p-98};
-    bound_impact(state_of(a), state_of(b), mass_a, mass_b, contact, exact_pair<double>{s.high, s.low}, errors, take);
+    narrower_velocities<N, F> velocities{take};
+    if (mass_a == mass_b) {
+        const exact_pair<double> R{w.motion.R.high, w.motion.R.low};
+        velocities.exchanged =
+            exchange_velocities(state_of(a).velocity, state_of(b).velocity, w.cross, y, y_error, R, 0);
+        velocities.is_known = true;
+    }
+    bound_impact(state_of(a), state_of(b), mass_a, mass_b, contact, exact_pair<double>{s.high, s.low}, errors,
+                 velocities);
 }
 
 // The encounter of two movers by double words, as a number, and whether they were in range.

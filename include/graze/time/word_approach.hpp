@@ -99,11 +99,13 @@ struct word_approach {
     }
 
   private:
-    double lost_of_d = 0;         // lost by underflow
-    double denominator_error = 0; // the error of -h + √D
+    double lost_of_d = 0;   // lost by underflow
+    double denominator = 0; // -h + √D, and its error
+    double denominator_error = 0;
 
     [[nodiscard, gnu::always_inline]] bool is_good() const noexcept {
-        return 16 * std::max(root_error, denominator_error) < root.high;
+        return (static_cast<unsigned>(16 * root_error < root.high) &
+                static_cast<unsigned>(16 * denominator_error < denominator)) != 0;
     }
     [[nodiscard, gnu::always_inline]] int decide() noexcept {
         const sized_movers<of_words, B, word> sized(motion, size, in_range);
@@ -150,14 +152,15 @@ struct word_approach {
     // most 2^-49 c; it takes 4 roundings, the quotient by it 3 more, 1/d being right to 2u: less than 2^-98 of the
     // time.
     [[gnu::always_inline]] void find_time(const bounded_value<word>& h, const bounded_value<word>& c) noexcept {
-        const word denominator = root - h.value;
-        const double inverse = settled(1 / denominator.high);
+        const word sum = root - h.value;
+        const double inverse = settled(1 / sum.high);
         const double near = settled(c.value.high * inverse);
-        const auto back = two_product(as_factor<Fused>(near), as_factor<Fused>(denominator.high));
+        const auto back = two_product(as_factor<Fused>(near), as_factor<Fused>(sum.high));
         const double residual =
-            settled(settled(c.value.high - back.value) - back.error) + settled(c.value.low - near * denominator.low);
+            settled(settled(c.value.high - back.value) - back.error) + settled(c.value.low - near * sum.low);
         time = word(fast_two_sum(near, settled(residual * inverse)));
-        denominator_error = root_error + h.error + 0x1p-102 * denominator.high;
+        denominator = sum.high;
+        denominator_error = root_error + h.error + 0x1p-102 * sum.high;
         time_error = 1.25 * ((c.error + near * denominator_error) * inverse) + 0x1p-98 * near;
         good = is_good();
     }
