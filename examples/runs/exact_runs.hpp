@@ -1,4 +1,4 @@
-// The run in graze's doubles, compiled once for the examples and the tests: each dimension takes half a minute.
+// A whole run in graze's doubles, for the examples and the tests.
 #pragma once
 
 #include <graze/run.hpp>

@@ -10,6 +10,7 @@
 #if defined(GRAZE_COMPILED) && defined(__cpp_exceptions)
 #include <graze/contact/compiled.hpp>
 #include <graze/predicate/compiled.hpp>
+#include <graze/run/compiled.hpp>
 #include <graze/time/compiled.hpp>
 #endif
 

@@ -105,6 +105,21 @@ template <class Observer, class Event>
     }
 }
 
+// An observer of any type, as one that is compiled once. It lives no longer than what it observes for.
+template <class Event>
+class listener {
+  public:
+    template <class Tell>
+    explicit listener(const Tell& tell)
+        : tell_(&tell), call_([](const void* t, const Event& told) { return (*static_cast<const Tell*>(t))(told); }) {}
+
+    bool operator()(const Event& told) const { return call_(tell_, told); }
+
+  private:
+    const void* tell_;
+    bool (*call_)(const void*, const Event&);
+};
+
 // Makes the forecast anew where that is cheaper than to go on. Nothing will happen before `now`.
 template <mechanics M>
 void keep_up_to_date(forecast<M>& ahead, double now) {
