@@ -1,6 +1,7 @@
 // Periodic scenes: every ball meets the images of the others, whichever image was given.
 #include "fraction.hpp"
 
+#include <graze/contact/collide_images.hpp>
 #include <graze/number/floating.hpp>
 #include <graze/run/plain_mechanics.hpp>
 #include <graze/run/run.hpp>
@@ -120,6 +121,21 @@ TEST_CASE("a ball that is alone meets nobody, not itself either") {
     const auto done = run.advance({.time = 50.0});
     CHECK(done.events == 0);
     CHECK(done.why == graze::ending::time);
+}
+
+TEST_CASE("a ball comes from hundreds of periods away to where its flight leads") {
+    // The real position of the one that doubles leave open is rounded in integers.
+    constexpr double length = 0x1.21cc83d1999dbp-2;
+    const graze::flight<2> a{
+        {{{-0x1.7f444p-4, 0x1.2ddc8p-3}}, {{0x1.33ff28p+31, -0x1.9aa74p+19}}, 0x1.1da54bb937bcbp-5}, 0};
+    const graze::flight<2> b{{{{0x1.5142p-6, 0x1.25cap-7}}, {{-0x1.5723bp+5, 0x1.0e2dep+3}}, 0x1.e318bf9c749ddp-7}, 0};
+    const auto c = graze::detail::collide_image(a, b, graze::image_shift<2, double>{{964, 0, 0}, {{length, 0}}});
+    REQUIRE(c);
+    for (int i = 0; i < 2; ++i) {
+        const double way = a.state.velocity[i] * c->time;
+        CHECK(std::fabs(a.state.position[i] + way - c->position_a[i]) <= 0x1p-48 * std::fabs(way));
+        CHECK(std::fabs(b.state.position[i] + b.state.velocity[i] * c->time - c->position_b[i]) <= 0x1p-48);
+    }
 }
 
 TEST_CASE("balls that all fly alike never meet, and where nothing happens for long a run asks whether to go on") {

@@ -74,7 +74,8 @@ template <int N, class T>
         const auto k = static_cast<std::size_t>(i);
         if (image.periods[k] != 0) {
             displaced.b.state.position[i] =
-                displaced.b.state.position[i] + big_integer(image.periods[k]) * lengths.template get<big_integer>(k);
+                displaced.b.state.position[i] +
+                big_integer::from_shifted(room, image.periods[k], 0) * lengths.template get<big_integer>(k);
         }
     }
     const auto position_a = pair.position(pair.a);
