@@ -1,5 +1,6 @@
 // A point among walls in runs, compared with an oracle in rationals and with small balls; and what was once wrong.
 #include "point_checks.hpp"
+#include "point_images.hpp"
 #include "sliding_scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -40,6 +41,37 @@ TEST_CASE("a point meets what the oracle says, and what balls beside it meet") {
     compare_scenes<2, true>();
     compare_scenes<3, false>();
     compare_scenes<3, true>();
+}
+
+TEST_CASE("in a space with a period a point meets images as it meets copies") {
+    std::size_t compared = 0;
+    const auto compare = [&](auto scene_of, int dimension) {
+        for (std::uint64_t seed = 0; seed < 36; ++seed) {
+            const double length = std::array{4.0, 6.0, 8.0, 16.0}[seed / 2 % 4];
+            INFO(dimension, " ", seed);
+            CHECK(fault_beside_copies(scene_of(seed), static_cast<int>(seed) % dimension, length, &compared) == "");
+        }
+    };
+    compare([](std::uint64_t seed) { return any_point_scene<2>(seed, false); }, 2);
+    compare([](std::uint64_t seed) { return any_point_scene<2>(seed, true); }, 2);
+    compare([](std::uint64_t seed) { return any_point_scene<3>(seed, false); }, 3);
+    CHECK(compared > 100);
+}
+
+TEST_CASE("a point keeps its side of an image, though rounding carries it beyond") {
+    // It slides along a floor of tiles, bounces off a ball there and comes back; it never falls through a seam.
+    const std::vector<graze::ball<2>> balls = {{{{0.3, 0.7}}, {{0.3, -1.1}}, 0, 1},
+                                               {{{1.1, 0.4}}, {{0.2, 0.3}}, 0.25, 3}};
+    const std::vector<graze::wall<2>> walls = {
+        {{{-0.5, -0.75}}, {{{{1, 0}}}}}, {{{0.5, -0.75}}, {{{{1, 0}}}}}, {{{-0.5, 0.75}}, {{{{2, 0}}}}}};
+    std::size_t events = 0;
+    (void)run_exactly<2>({.balls = balls, .walls = walls, .period = {{2, 0}}}, {.events = 2000}, [&](const auto& e) {
+        for (const auto* f : {&e.after_a, e.after_b}) {
+            events += f != nullptr && std::fabs(f->state.position[1]) <= 0.75 && std::fabs(f->state.position[0]) <= 1;
+        }
+        return true;
+    });
+    CHECK(events > 2000);
 }
 
 TEST_CASE("a point is not turned back by the tip of a wall beside which it has come") {

@@ -9,11 +9,13 @@
 
 namespace graze::inline v0_1::detail {
 
-// Whether x moves in the plane of any plane or wall.
+// Whether x moves in the plane of any plane or wall; true of walls that have images if it moves along them.
 template <mechanics M>
 [[nodiscard]] bool slides(const M& m, const standing_parts<M>& standing, const typename M::state& x) {
     for (body b = standing.begin(); b < standing.end(); ++b) {
-        if (standing.with(b, [&](const auto& s) { return m.heading(x, s) == 0 && m.side(x, s) == 0; })) {
+        if (standing.with(standing.itself(b), [&](const auto& s) {
+                return m.heading(x, s) == 0 && (standing.has_images(b) || m.side(x, s) == 0);
+            })) {
             return true;
         }
     }
@@ -27,20 +29,20 @@ template <mechanics M, class Meet, class Side>
 arrival(const M& m, const standing_parts<M>& standing, const typename M::state& x, const typename M::time& when,
         Meet meet, Side side_along) {
     struct touched {
-        body what;
+        standing_image what;
         int side;
         approach way;
     };
     std::vector<touched> all;
     std::optional<typename standing_parts<M>::place> apex;
     const double latest = m.bounds(when).upper;
-    for (body b = standing.begin(); b < standing.end(); ++b) {
+    standing.for_each_near(m, standing.around(m, x, latest), [&](const standing_image& b) {
         const auto t = meet(b);
         const int heading = standing.with(b, [&](const auto& s) { return m.heading(x, s); });
         if (t && m.bounds(*t).lower <= latest && m.order(*t, when) == 0) {
             if (heading == 0) {
                 all.push_back({b, side_along(b), approach::to_border});
-                continue;
+                return;
             }
             all.push_back({b, -heading, approach::across});
             if (!apex) {
@@ -49,7 +51,7 @@ arrival(const M& m, const standing_parts<M>& standing, const typename M::state& 
         } else if (!t && heading == 0 && standing.with(b, [&](const auto& s) { return m.side(x, s) == 0; })) {
             all.push_back({b, side_along(b), approach::along});
         }
-    }
+    });
     std::vector<cone<M::dimension, typename M::exact>> cones;
     for (const touched& c : all) {
         if (c.way != approach::along || (apex && standing.is_at(m, c.what, *apex))) {
@@ -64,20 +66,20 @@ arrival(const M& m, const standing_parts<M>& standing, const typename M::state& 
 template <mechanics M, class Side>
 [[nodiscard]] std::optional<junction<M::dimension, typename M::exact>>
 arrival_at_border(const M& m, const standing_parts<M>& standing, const typename M::state& before,
-                  const typename M::state& x, body b, Side side_along) {
+                  const typename M::state& x, const standing_image& b, Side side_along) {
     const auto back = standing.crossing(m, b, x, x);
     if (standing.is_inside(m, b, back)) {
         return std::nullopt;
     }
     const auto border = standing.nearest(m, b, back);
     std::vector<cone<M::dimension, typename M::exact>> cones;
-    for (body c = standing.begin(); c < standing.end(); ++c) {
+    standing.for_each_near(m, standing.around(m, b), [&](const standing_image& c) {
         if (standing.is_in_plane(m, c, border) && standing.is_at(m, c, border)) {
             const int heading = standing.with(c, [&](const auto& s) { return m.heading(before, s); });
             cones.push_back(heading != 0 ? standing.cone_at(m, c, -heading, approach::across, border)
                                          : standing.cone_at(m, c, side_along(c), approach::along, border));
         }
-    }
+    });
     return junction<M::dimension, typename M::exact>(std::move(cones), standing.exactly(m, before.state.velocity));
 }
 

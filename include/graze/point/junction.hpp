@@ -32,28 +32,28 @@ class junction {
         }
     }
 
-    [[nodiscard]] bool has(body standing) const noexcept { return find(standing) != cones_.end(); }
-    // What the point meets next at this instant, or no_body.
-    [[nodiscard]] body next() const noexcept { return next_; }
+    [[nodiscard]] bool has(standing_image standing) const noexcept { return find(standing) != cones_.end(); }
+    // What the point meets next at this instant, if anything.
+    [[nodiscard]] standing_image next() const noexcept { return next_; }
     [[nodiscard]] std::size_t size() const noexcept { return cones_.size(); }
 
     // Whether the point, on its way in along u, cannot reach one of them, because it slides on the other side of
     // another that is between.
-    [[nodiscard]] bool is_beyond_reach(body standing, const direction& u) const {
+    [[nodiscard]] bool is_beyond_reach(standing_image standing, const direction& u) const {
         return keeps_aside() && !is_reached(*find(standing), u);
     }
 
     // The point has had an event other than a bounce here: it may meet again what it met last.
-    void leave_none() noexcept { left_ = no_body; }
+    void leave_none() noexcept { left_ = {}; }
 
     // The point goes on with this velocity.
     void head(const direction& u) { next_ = first_met(u); }
 
     // The point, which came along u, meets one of them and goes on with the velocity `after`.
-    void meet(body standing, const direction& u, const direction& after) {
+    void meet(standing_image standing, const direction& u, const direction& after) {
         const auto met = std::find_if(cones_.begin(), cones_.end(), [&](const auto& c) { return is_of(c, standing); });
         left_ = standing;
-        next_ = no_body;
+        next_ = {};
         if (is_through_apex(place_, u)) {
             if (met->way == approach::to_border) { // a graze, which changes nothing
                 met->way = approach::along;
@@ -84,12 +84,14 @@ class junction {
     }
 
   private:
-    [[nodiscard]] static bool is_of(const cone<N, X>& c, body standing) noexcept { return c.standing == standing; }
-    [[nodiscard]] auto find(body standing) const noexcept {
+    [[nodiscard]] static bool is_of(const cone<N, X>& c, standing_image standing) noexcept {
+        return c.standing == standing;
+    }
+    [[nodiscard]] auto find(standing_image standing) const noexcept {
         return std::find_if(cones_.begin(), cones_.end(), [&](const auto& c) { return is_of(c, standing); });
     }
 
-    [[nodiscard]] body first_met(const direction& u) const {
+    [[nodiscard]] standing_image first_met(const direction& u) const {
         if (is_through_apex(place_, u)) {
             return first_at_apex(u);
         }
@@ -108,9 +110,9 @@ class junction {
                 first_speed = std::move(towards);
             }
         }
-        return first != nullptr ? first->standing : no_body;
+        return first != nullptr ? first->standing : standing_image{};
     }
-    [[nodiscard]] body first_at_apex(const direction& u) const {
+    [[nodiscard]] standing_image first_at_apex(const direction& u) const {
         const cone<N, X>* blocked = nullptr;
         for (const cone<N, X>& c : cones_) {
             if (is_of(c, left_) || c.way == approach::along) {
@@ -121,7 +123,7 @@ class junction {
             }
             blocked = blocked != nullptr ? blocked : &c;
         }
-        return blocked != nullptr && !keeps_aside() ? blocked->standing : no_body; // where X rounds
+        return blocked != nullptr && !keeps_aside() ? blocked->standing : standing_image{}; // where X rounds
     }
     [[nodiscard]] bool is_reached(const cone<N, X>& c, const direction& u) const {
         return c.way == approach::to_border || shift_into(c, cones_, u, u);
@@ -149,8 +151,8 @@ class junction {
 
     std::vector<cone<N, X>> cones_;
     direction place_; // of the point, up to a positive factor
-    body left_ = no_body;
-    body next_ = no_body;
+    standing_image left_;
+    standing_image next_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -13,20 +13,26 @@ namespace graze::inline v0_1::detail {
 class kept_sides {
   public:
     // 0 if nothing is known of it.
-    [[nodiscard]] int of(body standing) const noexcept {
+    [[nodiscard]] int of(const standing_image& standing) const noexcept {
         const auto e = std::find_if(entries_.begin(), entries_.end(), is_of{standing});
         return e != entries_.end() ? e->side : 0;
     }
-    void keep(body standing, int side) {
+    void keep(const standing_image& standing, int side) {
         forget(standing);
         if (side != 0) {
             entries_.push_back({standing, side});
         }
     }
-    void forget(body standing) noexcept {
+    void forget(const standing_image& standing) noexcept {
         entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_of{standing}), entries_.end());
     }
     void clear() noexcept { entries_.clear(); }
+    // From now on, images are counted from that one.
+    void count_from(image_index first) noexcept {
+        for (entry& e : entries_) {
+            e.standing.image = e.standing.image - first;
+        }
+    }
 
     // f(standing, side) of each.
     template <class F>
@@ -45,11 +51,11 @@ class kept_sides {
 
   private:
     struct entry {
-        body standing;
+        standing_image standing;
         int side;
     };
     struct is_of {
-        body standing;
+        standing_image standing;
         [[nodiscard]] bool operator()(const entry& e) const noexcept { return e.standing == standing; }
     };
     std::vector<entry> entries_;

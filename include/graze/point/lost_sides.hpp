@@ -16,7 +16,8 @@ template <mechanics M, class S>
 // which it belongs; 0 where it is on that side, or has come past b.
 template <mechanics M>
 [[nodiscard]] int side_lost(const M& m, const standing_parts<M>& standing, const typename M::state& before,
-                            const typename M::state& x, const typename M::time& when, body met, body b, int kept) {
+                            const typename M::state& x, const typename M::time& when, const standing_image& met,
+                            const standing_image& b, int kept) {
     return standing.with(b, [&](const auto& s) {
         const int heading = m.heading(before, s);
         if constexpr (!M::rounds) { // it is where it was, if it has slid along b
@@ -37,7 +38,7 @@ template <mechanics M>
                 return 0;
             }
             // From where it really met `met`, it may come back to b's plane beside b.
-            const bool comes_back = met != no_body && m.heading(x, s) * side < 0;
+            const bool comes_back = met.is_any() && m.heading(x, s) * side < 0;
             return !comes_back ||
                            standing.is_at(m, b, standing.crossing(m, b, standing.crossing(m, met, before, before), x))
                        ? side

@@ -27,7 +27,8 @@ class point_among {
     using junction_here = junction<M::dimension, typename M::exact>;
 
     // When the point meets b, which it has not just met.
-    [[nodiscard]] std::optional<time> meet(const M& m, const parts& standing, const state& x, body b) const {
+    [[nodiscard]] std::optional<time> meet(const M& m, const parts& standing, const state& x,
+                                           const standing_image& b) const {
         std::optional<time> when = meet_whatever_side(m, standing, x, b);
         const bool is_now = here_ && here_->has(b);
         if (when && keeps_aside_ && !is_now && arrival_at(m, standing, x, *when).is_beyond_reach(b, velocity(m, x))) {
@@ -37,8 +38,8 @@ class point_among {
     }
 
     // Which of the planes and walls that it meets at exactly this time is the first.
-    [[nodiscard]] body first_at(const M& m, const parts& standing, const state& x, const time& when) const {
-        if (here_ && here_->next() != no_body) {
+    [[nodiscard]] standing_image first_at(const M& m, const parts& standing, const state& x, const time& when) const {
+        if (here_ && here_->next().is_any()) {
             return here_->next();
         }
         auto met = arrival_at(m, standing, x, when);
@@ -47,7 +48,7 @@ class point_among {
     }
 
     // It meets b at that time. alone: it meets nothing else then.
-    void bounce(const M& m, const parts& standing, state& x, body b, const time& when, bool alone) {
+    void bounce(const M& m, const parts& standing, state& x, const standing_image& b, const time& when, bool alone) {
         const state before = x;
         if (here_ && here_->next() == b) {
             standing.with(b, [&](const auto& s) { m.turn_back(x, s); });
@@ -72,8 +73,8 @@ class point_among {
     }
 
     // It has met a ball at that time and is now x. last: what it met before. alone: it meets nothing else then.
-    void meet_ball(const M& m, const parts& standing, const state& before, const state& x, body last, const time& when,
-                   bool alone) {
+    void meet_ball(const M& m, const parts& standing, const state& before, const state& x, const standing_image& last,
+                   const time& when, bool alone) {
         const bool was_there = (here_ || is_standing(standing, last)) && m.order(when, m.now(before)) == 0;
         if (was_there) { // between two bounces
             if (!here_) {
@@ -90,14 +91,16 @@ class point_among {
                     here_->head(velocity(m, x));
                 }
             }
-            keep_sides(m, standing, before, x, when, no_body);
+            keep_sides(m, standing, before, x, when, {});
         }
         note_sliding(m, standing, x);
     }
 
-    // It has been given another state. on_the_way: that state is still on its way.
-    void restate(const M& m, const state& x, bool on_the_way) {
+    // It has been given another state. on_the_way: that state is still on its way. From then on, images are counted
+    // from that one.
+    void restate(const M& m, const state& x, bool on_the_way, image_index first) {
         leave_junction(m, x);
+        kept_.count_from(first);
         if (!on_the_way) {
             kept_.clear();
             keeps_aside_ = false;
@@ -108,13 +111,13 @@ class point_among {
     [[nodiscard]] static vec<M::dimension, typename M::exact> velocity(const M& m, const state& x) {
         return parts::exactly(m, x.state.velocity);
     }
-    [[nodiscard]] static bool is_standing(const parts& standing, body b) noexcept {
-        return b != no_body && b >= standing.begin();
+    [[nodiscard]] static bool is_standing(const parts& standing, const standing_image& b) noexcept {
+        return b.is_any() && b.what >= standing.begin();
     }
 
     // meet as if no plane or wall were between it and b.
     [[nodiscard]] std::optional<time> meet_whatever_side(const M& m, const parts& standing, const state& x,
-                                                         body b) const {
+                                                         const standing_image& b) const {
         if (here_ && here_->has(b)) {
             return here_->next() == b ? std::optional<time>(m.now(x)) : std::nullopt;
         }
@@ -129,10 +132,10 @@ class point_among {
     }
     [[nodiscard]] junction_here arrival_at(const M& m, const parts& standing, const state& x, const time& when) const {
         return arrival(
-            m, standing, x, when, [&](body b) { return meet_whatever_side(m, standing, x, b); },
-            [&](body b) { return side_along(m, standing, x, b); });
+            m, standing, x, when, [&](const standing_image& b) { return meet_whatever_side(m, standing, x, b); },
+            [&](const standing_image& b) { return side_along(m, standing, x, b); });
     }
-    void arrive(const M& m, const parts& standing, state& x, body b, const time& when, bool alone) {
+    void arrive(const M& m, const parts& standing, state& x, const standing_image& b, const time& when, bool alone) {
         const auto before = velocity(m, x);
         auto met = alone && !slides(m, standing, x) ? std::nullopt : std::optional(arrival_at(m, standing, x, when));
         standing.with(b, [&](const auto& s) { m.bounce(x, s, when); });
@@ -145,7 +148,7 @@ class point_among {
     // f(b, side) for all planes and walls of which the point, now x, keeps a side.
     template <class F>
     void for_each_side(const M& m, const state& x, F f) const {
-        kept_.for_each([&](body b, int side) {
+        kept_.for_each([&](const standing_image& b, int side) {
             if (!here_ || !here_->has(b)) {
                 f(b, side);
             }
@@ -155,27 +158,28 @@ class point_among {
         }
     }
     // The side of b, in whose plane x moves: its side of any plane or wall in this plane.
-    [[nodiscard]] int side_along(const M& m, const parts& standing, const state& x, body b) const {
+    [[nodiscard]] int side_along(const M& m, const parts& standing, const state& x, const standing_image& b) const {
         int result = 0;
-        for_each_side(m, x, [&](body c, int side) {
+        for_each_side(m, x, [&](const standing_image& c, int side) {
             result = result != 0 ? result : side * (c == b ? 1 : standing.common_sense(m, c, b));
         });
         return result;
     }
     void note_sliding(const M& m, const parts& standing, const state& x) {
         keeps_aside_ = false;
-        for_each_side(m, x, [&](body b, int) {
+        for_each_side(m, x, [&](const standing_image& b, int) {
             keeps_aside_ = keeps_aside_ || standing.with(b, [&](const auto& s) { return m.heading(x, s) == 0; });
         });
     }
 
-    void settle_at_border(const M& m, const parts& standing, const state& before, const state& x, body b, int side) {
+    void settle_at_border(const M& m, const parts& standing, const state& before, const state& x,
+                          const standing_image& b, int side) {
         if constexpr (M::rounds) {
             if (here_ || side == 0 || standing.with(b, [&](const auto& s) { return m.side(x, s) * side >= 0; })) {
                 return;
             }
             here_ = arrival_at_border(m, standing, before, x, b,
-                                      [&](body c) { return side_along(m, standing, before, c); });
+                                      [&](const standing_image& c) { return side_along(m, standing, before, c); });
             if (here_) {
                 here_->meet(b, velocity(m, before), velocity(m, x));
             }
@@ -183,7 +187,7 @@ class point_among {
     }
     void leave_junction(const M& m, const state& x) {
         if (here_) {
-            here_->leave(velocity(m, x), [&](body b, int side) { kept_.keep(b, side); });
+            here_->leave(velocity(m, x), [&](const standing_image& b, int side) { kept_.keep(b, side); });
             here_.reset();
         }
     }
@@ -191,16 +195,17 @@ class point_among {
     // For a point that was at `before` and has become x at that time: keeps the sides from which the rounding of its
     // position has carried it, and those on which it goes on sliding; forgets those on which it is.
     void keep_sides(const M& m, const parts& standing, const state& before, const state& x, const time& when,
-                    body met) {
-        const auto is_elsewhere = [&](body b) { return b != met && !(here_ && here_->has(b)); };
+                    const standing_image& met) {
+        const auto is_elsewhere = [&](const standing_image& b) { return b != met && !(here_ && here_->has(b)); };
         if constexpr (M::rounds) {
-            for (body b = standing.begin(); b < standing.end(); ++b) {
-                if (is_elsewhere(b)) {
-                    kept_.keep(b, side_lost(m, standing, before, x, when, met, b, kept_.of(b)));
-                }
-            }
+            kept_sides kept;
+            standing.for_each_near(m, standing.around(m, x), [&](const standing_image& b) {
+                const int side = kept_.of(b);
+                kept.keep(b, is_elsewhere(b) ? side_lost(m, standing, before, x, when, met, b, side) : side);
+            });
+            kept_ = std::move(kept);
         } else {
-            kept_.keep_if([&](body b, int side) {
+            kept_.keep_if([&](const standing_image& b, int side) {
                 return !is_elsewhere(b) || side_lost(m, standing, before, x, when, met, b, side) != 0;
             });
         }

@@ -21,7 +21,7 @@ enum class approach : std::uint8_t { across, to_border, along };
 // known.
 template <int N, class X>
 struct cone {
-    body standing;
+    standing_image standing;
     int side;
     approach way;
     vec<N, X> normal;

@@ -3,7 +3,7 @@
 
 #include <graze/formula/flat_way.hpp>
 #include <graze/point/shift.hpp>
-#include <graze/point/standing_shapes.hpp>
+#include <graze/point/standing_images.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -12,15 +12,15 @@
 namespace graze::inline v0_1::detail {
 
 template <mechanics M>
-class standing_parts : public standing_shapes<M> {
+class standing_parts : public standing_images<M> {
   public:
     static constexpr int dimension = M::dimension;
     using number = typename M::number;
     using exact = typename M::exact;
     using state = typename M::state;
     using shapes = standing_shapes<M>;
-    using standing_shapes<M>::standing_shapes;
-    using shapes::with;
+    using standing_images<M>::standing_images;
+    using standing_images<M>::with;
 
     // A place, over a positive number.
     struct place {
@@ -28,10 +28,10 @@ class standing_parts : public standing_shapes<M> {
         exact over;
     };
     // Where the straight way through x along the velocity of u crosses the plane of b; x, if it never does.
-    [[nodiscard]] place crossing(const M& m, body b, const state& x, const state& u) const {
+    [[nodiscard]] place crossing(const M& m, const standing_image& b, const state& x, const state& u) const {
         return crossing(m, b, place{shapes::exactly(m, x.state.position), exact(1)}, u);
     }
-    [[nodiscard]] place crossing(const M& m, body b, const place& x, const state& u) const {
+    [[nodiscard]] place crossing(const M& m, const standing_image& b, const place& x, const state& u) const {
         const auto velocity = shapes::exactly(m, u.state.velocity);
         const auto n = normal_of(m, b);
         const exact speed = graze::dot(velocity, n);
@@ -42,19 +42,19 @@ class standing_parts : public standing_shapes<M> {
                           : place{speed * x.sum - height * velocity, speed * x.over};
     }
     // Whether b, its borders included, contains a place in its plane, or the foot of a place beside its plane.
-    [[nodiscard]] bool is_at(const M& m, body b, const place& x) const {
+    [[nodiscard]] bool is_at(const M& m, const standing_image& b, const place& x) const {
         const auto borders = borders_at(m, b, x);
         return std::all_of(borders.begin(), borders.end(), [](const border& k) { return k.inside >= 0; });
     }
-    [[nodiscard]] bool is_inside(const M& m, body b, const place& x) const {
+    [[nodiscard]] bool is_inside(const M& m, const standing_image& b, const place& x) const {
         const auto borders = borders_at(m, b, x);
         return std::all_of(borders.begin(), borders.end(), [](const border& k) { return k.inside > 0; });
     }
-    [[nodiscard]] bool is_in_plane(const M& m, body b, const place& x) const {
+    [[nodiscard]] bool is_in_plane(const M& m, const standing_image& b, const place& x) const {
         return graze::sign(exact(graze::dot(x.sum - x.over * point_of(m, b), normal_of(m, b)))) == 0;
     }
     // 1 or -1 where b and c are in one plane, as their normals have one sense or not; 0 in two planes.
-    [[nodiscard]] int common_sense(const M& m, body b, body c) const {
+    [[nodiscard]] int common_sense(const M& m, const standing_image& b, const standing_image& c) const {
         const auto n = normal_of(m, b), other = normal_of(m, c);
         return graze::sign(exact(graze::squared_norm(graze::cross(n, other)))) == 0 &&
                        is_in_plane(m, b, {point_of(m, c), exact(1)})
@@ -63,7 +63,7 @@ class standing_parts : public standing_shapes<M> {
     }
     // The place in a wall with the nearest coordinates along each edge; beyond the third border of a triangle, that on
     // the way to the corner.
-    [[nodiscard]] place nearest(const M& m, body b, const place& x) const {
+    [[nodiscard]] place nearest(const M& m, const standing_image& b, const place& x) const {
         return with(b, [&](const auto& w) -> place {
             if constexpr (requires { w.edge; }) {
                 const auto seen = seen_from(m, w, x);
@@ -92,7 +92,7 @@ class standing_parts : public standing_shapes<M> {
         });
     }
     // b seen from a place x in b; without x, as from any place inside.
-    [[nodiscard]] cone<dimension, exact> cone_at(const M& m, body b, int side, approach way,
+    [[nodiscard]] cone<dimension, exact> cone_at(const M& m, const standing_image& b, int side, approach way,
                                                  const std::optional<place>& x) const {
         cone<dimension, exact> result{b, side, way, normal_of(m, b), {}, 0};
         if (x) {
@@ -106,8 +106,8 @@ class standing_parts : public standing_shapes<M> {
     }
 
   private:
-    using shapes::normal_of;
-    using shapes::point_of;
+    using standing_images<M>::normal_of;
+    using standing_images<M>::point_of;
 
     // Where a place is along the sides, times n·n.
     template <class W>
@@ -121,7 +121,7 @@ class standing_parts : public standing_shapes<M> {
     struct border {
         int number, inside;
     };
-    [[nodiscard]] std::vector<border> borders_at(const M& m, body b, const place& x) const {
+    [[nodiscard]] std::vector<border> borders_at(const M& m, const standing_image& b, const place& x) const {
         std::vector<border> result;
         with(b, [&](const auto& w) {
             if constexpr (requires { w.edge; }) {
@@ -135,7 +135,7 @@ class standing_parts : public standing_shapes<M> {
         return result;
     }
     // The direction in the face that leads straight away from a border.
-    [[nodiscard]] vec<dimension, exact> inward_of(const M& m, body b, int k) const {
+    [[nodiscard]] vec<dimension, exact> inward_of(const M& m, const standing_image& b, int k) const {
         return with(b, [&](const auto& w) -> vec<dimension, exact> {
             if constexpr (requires { w.edge; }) {
                 constexpr bool triangular = is_triangle<std::remove_cvref_t<decltype(w)>>;

@@ -109,7 +109,7 @@ class standing_shapes {
     [[nodiscard]] std::vector<standing_extent<dimension>> extents(const M& m) const {
         std::vector<standing_extent<dimension>> result;
         for (body b = begin(); b < end(); ++b) {
-            result.push_back(with(b, [&](const auto& s) { return extent_in_doubles(m, s); }));
+            result.push_back(extent(m, b));
         }
         return result;
     }
@@ -119,25 +119,6 @@ class standing_shapes {
         return make_vec<dimension>([&](int i) { return m.as_exact(x[i]); });
     }
 
-  protected:
-    [[nodiscard]] vec<dimension, exact> normal_of(const M& m, body b) const {
-        return with(b, [&](const auto& s) {
-            if constexpr (requires { s.edge; }) {
-                return face_normal(edges_of(m, s));
-            } else {
-                return exactly(m, s.normal);
-            }
-        });
-    }
-    [[nodiscard]] vec<dimension, exact> point_of(const M& m, body b) const {
-        return with(b, [&](const auto& s) {
-            if constexpr (requires { s.edge; }) {
-                return exactly(m, s.corner);
-            } else {
-                return exactly(m, s.point);
-            }
-        });
-    }
     template <class W>
     [[nodiscard]] static auto edges_of(const M& m, const W& w) {
         std::array<vec<dimension, exact>, dimension - 1> edges;
@@ -145,14 +126,17 @@ class standing_shapes {
         return edges;
     }
 
-  private:
-    using extent = standing_extent<dimension>;
+    // Where b is, in doubles.
+    [[nodiscard]] standing_extent<dimension> extent(const M& m, body b) const {
+        return with(b, [&](const auto& s) { return extent_in_doubles(m, s); });
+    }
 
-    [[nodiscard]] static extent extent_in_doubles(const M& m, const plane<dimension, number>& p) {
+  private:
+    [[nodiscard]] static standing_extent<dimension> extent_in_doubles(const M& m, const plane<dimension, number>& p) {
         return endless_extent(in_doubles(m, p.point), in_doubles(m, p.normal));
     }
     template <class W>
-    [[nodiscard]] static extent extent_in_doubles(const M& m, const W& w) {
+    [[nodiscard]] static standing_extent<dimension> extent_in_doubles(const M& m, const W& w) {
         std::array<vec<dimension, double>, dimension - 1> edge;
         std::transform(w.edge.begin(), w.edge.end(), edge.begin(), [&](const auto& e) { return in_doubles(m, e); });
         return extent_of(in_doubles(m, w.corner), edge);

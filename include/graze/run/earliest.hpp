@@ -122,8 +122,8 @@ void put_first_standing_first(const moving_scene<M>& scene, std::vector<timed_ev
         const auto last = std::find_if_not(first, events.end(), of_same);
         const auto standing = std::find_if(first, last, is_standing);
         if (last - standing > 1) {
-            const body met = scene.first_standing(first->what.a, first->when);
-            const auto leads = [&](const auto& d) { return d.what.b == met; };
+            const standing_image met = scene.first_standing(first->what.a, first->when);
+            const auto leads = [&](const auto& d) { return standing_image{d.what.b, d.what.image} == met; };
             if (const auto chosen = std::find_if(standing, last, leads); chosen != last) {
                 std::rotate(standing, chosen, std::next(chosen));
             }

@@ -29,11 +29,7 @@ class moving_scene {
           standing_(s, static_cast<body>(s.balls.size())), balls_(s.balls, images_),
           first_standing_(static_cast<body>(s.balls.size())), counts_(s.balls.size()),
           ledger_(is_periodic() ? s.balls.size() : 0),
-          points_(balls_.has_points() && bodies() > balls() ? balls() : 0) {
-        if (is_periodic() && !points_.empty() && !(s.walls.empty() && triangles_of(s).empty())) {
-            throw std::domain_error("period: points that meet walls are not supported");
-        }
-    }
+          points_(balls_.has_points() && bodies() > balls() ? balls() : 0) {}
 
     [[nodiscard]] const M& rules() const noexcept { return images_.rules(); }
     [[nodiscard]] bool is_periodic() const noexcept { return images_.is_periodic(); }
@@ -87,7 +83,7 @@ class moving_scene {
         return saying_who(a, b, [&] {
             const state& x = balls_.movers[a].state;
             return b < balls()     ? images_.meet(x, balls_.movers[b].state, ledger_.periods(a, b, image))
-                   : is_watched(a) ? points_[a].meet(rules(), standing_, x, b)
+                   : is_watched(a) ? points_[a].meet(rules(), seen_by(a), x, {b, image})
                                    : standing_.meet(images_, x, b, ledger_.periods(a, b, image));
         });
     }
@@ -104,9 +100,10 @@ class moving_scene {
     // Where planes and walls are.
     [[nodiscard]] std::vector<standing_extent<dimension>> extents() const { return standing_.extents(rules()); }
 
-    // Which plane or wall a point meets first of those that it meets at exactly this time; no_body for a ball.
-    [[nodiscard]] body first_standing(body a, const time& when) const {
-        return is_watched(a) ? points_[a].first_at(rules(), standing_, balls_.movers[a].state, when) : no_body;
+    // Which plane or wall a point meets first of those that it meets at exactly this time; none for a ball.
+    [[nodiscard]] standing_image first_standing(body a, const time& when) const {
+        return is_watched(a) ? points_[a].first_at(rules(), seen_by(a), balls_.movers[a].state, when)
+                             : standing_image{};
     }
 
     // Gives a, and b if it is a ball, the state after they have met. alone: neither meets anything else at that time.
@@ -161,7 +158,7 @@ class moving_scene {
     void restate(body a, state other) {
         const flight<dimension, double> f = rules().about(balls_.movers[a].state), g = rules().about(other);
         if (is_watched(a)) {
-            points_[a].restate(rules(), balls_.movers[a].state, is_on_the_way(f, g));
+            points_[a].restate(rules(), balls_.movers[a].state, is_on_the_way(f, g), ledger_.gone(a));
         }
         balls_.movers[a].stopped = false;
         const bool flies_on = balls_.movers[a].immovable && is_same_flight(f, g);
@@ -184,6 +181,7 @@ class moving_scene {
     auto saying_who(body a, body b, F f) const {
         return saying(f, [&] { return named(a, b); });
     }
+    [[nodiscard]] standing_parts<M> seen_by(body a) const { return {standing_, images_, ledger_.gone(a)}; }
     // Whether a is a point and there are planes or walls that it may meet.
     [[nodiscard]] bool is_watched(body a) const noexcept { return !points_.empty() && balls_.movers[a].point; }
 
@@ -207,7 +205,7 @@ class moving_scene {
             bring_back(b);
             counts_[b] += y.immovable ? 0 : 1;
         } else if (is_watched(a)) {
-            points_[a].bounce(rules(), standing_, x.state, b, when, alone);
+            points_[a].bounce(rules(), seen_by(a), x.state, {b, image}, when, alone);
         } else {
             if (x.immovable) {
                 passed_.push_back({a, b, image});
@@ -227,13 +225,13 @@ class moving_scene {
     }
     void note(body a, const std::optional<state>& before, const time& when, bool alone) {
         if (before) {
-            points_[a].meet_ball(rules(), standing_, *before, balls_.movers[a].state, balls_.movers[a].last, when,
-                                 alone);
+            points_[a].meet_ball(rules(), seen_by(a), *before, balls_.movers[a].state,
+                                 {balls_.movers[a].last, ledger_.last(a)}, when, alone);
         }
     }
 
     images<M> images_;
-    standing_parts<M> standing_;
+    standing_shapes<M> standing_;
     numbered_balls<M> balls_;
     body first_standing_;               // the number of balls, which is asked for too often to be computed
     std::vector<std::uint32_t> counts_; // side by side, since they are read far more often than flights

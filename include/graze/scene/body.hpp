@@ -54,6 +54,14 @@ class image_index {
     std::uint64_t first_two_ = 0, third_ = 0;
 };
 
+// A plane, wall or triangle, or that image of it, counted as in `predicted`.
+struct standing_image {
+    body what = no_body;
+    image_index image{};
+    [[nodiscard]] constexpr bool is_any() const noexcept { return what != no_body; }
+    bool operator==(const standing_image&) const = default;
+};
+
 // Of more balls what is needed next is fetched from memory while something else is done.
 inline constexpr std::size_t fit_into_cache = 4000;
 
