@@ -45,34 +45,46 @@ template <int N>
     return std::clamp(1023 - static_cast<int>(bits_of(largest) >> 52), -1022, 1023);
 }
 
-// The relative motion of two balls alone, scaled so that its largest length and velocity are within [2^-52, 2). Not
-// known if one is infinite.
+// The largest magnitude; a NaN may be left out.
+[[nodiscard, gnu::always_inline]] inline double largest_size(const vec<2, double>& x) noexcept {
+    return std::max(std::fabs(x[0]), std::fabs(x[1]));
+}
+[[nodiscard, gnu::always_inline]] inline double largest_size(const vec<3, double>& x) noexcept {
+    return std::max(std::max(std::fabs(x[0]), std::fabs(x[1])), std::fabs(x[2]));
+}
+
+// The power of two by which a number is multiplied to be within [1, 2), or less if it is subnormal. Of a number from
+// 2^1023 on it is 0 or no power at all.
+[[nodiscard, gnu::always_inline]] inline double factor_to_unit(double largest) noexcept {
+    return std::bit_cast<double>((std::uint64_t{2046} << 52) - (bits_of(largest) & std::uint64_t{0x7ff} << 52));
+}
+
+// The relative motion of two balls alone, scaled so that its largest length and velocity are within [2^-52, 2), or all
+// 0 if they are from 2^1023 on. Not known if one is infinite.
 template <int N>
 struct scaled_motion {
     relative_motion<N, double, double, double> motion;
     double by_length, by_velocity; // the factors
-    int length, velocity;          // as in scaled_movers
     bool known, safe;
 
     [[gnu::always_inline]] scaled_motion(const ball<N, double>& a, const ball<N, double>& b) noexcept
         : motion(computed_motion(a, b)) {
-        double largest_length = std::fabs(motion.R), largest_velocity = std::fabs(motion.du[0]);
-        for (int i = 0; i < N; ++i) {
-            largest_length = std::max(largest_length, std::fabs(motion.dx[i]));
-            largest_velocity = std::max(largest_velocity, std::fabs(motion.du[i]));
-        }
-        length = -scale_of(largest_length);
-        velocity = -scale_of(largest_velocity);
-        by_length = power_of_two(-length);
-        by_velocity = power_of_two(-velocity);
+        const double largest_length = std::max(std::fabs(motion.R), largest_size(motion.dx));
+        const double largest_velocity = largest_size(motion.du);
+        by_length = factor_to_unit(largest_length);
+        by_velocity = factor_to_unit(largest_velocity);
         known = std::max(largest_length, largest_velocity) <= std::numeric_limits<double>::max();
         safe = std::min(largest_length, largest_velocity) > 0x1p-900;
-        for (int i = 0; i < N; ++i) {
-            motion.dx[i] = as_stored(motion.dx[i] * by_length);
-            motion.du[i] = as_stored(motion.du[i] * by_velocity);
-        }
+        motion.dx = make_vec<N>([&](int i) { return as_stored(motion.dx[i] * by_length); });
+        motion.du = make_vec<N>([&](int i) { return as_stored(motion.du[i] * by_velocity); });
         motion.R = as_stored(motion.R * by_length);
     }
+
+    // The power of two that is the unit of a time.
+    [[nodiscard]] int unit() const noexcept { return exponent_of(by_velocity) - exponent_of(by_length); }
+
+  private:
+    [[nodiscard]] static int exponent_of(double x) noexcept { return static_cast<int>(bits_of(x) >> 52); }
 };
 
 // One power of two multiplies all lengths and one all velocities, chosen from the largest; their quotient multiplies

@@ -168,13 +168,9 @@ template <int N>
     f.certain = all_hold(f.certain, s.known, s.safe || keeps_subnormals());
     return f;
 }
+// For movers out of range: scaled, by the filter, in doubles and in words.
 template <moving B>
-[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const B& a, const B& b) noexcept {
-    if constexpr (!is_flight<B>) {
-        if (const auto f = filter_scaled(scaled_motion(a, b)); f.certain) [[likely]] {
-            return {static_cast<int>(f.what()), stage::filter};
-        }
-    }
+[[nodiscard, gnu::noinline]] refined_encounter refine_scaled_movers(const B& a, const B& b) noexcept {
     const scaled_movers<B> s = scaled(a, b);
     if (!s.known) {
         return {};
@@ -188,6 +184,15 @@ template <moving B>
     }
     refined_encounter r;
     return keeps_subnormals() && refine_in_range(r, s.a, s.b) ? r : refined_encounter{};
+}
+template <moving B>
+[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const B& a, const B& b) noexcept {
+    if constexpr (!is_flight<B>) {
+        if (const auto f = filter_scaled(scaled_motion(a, b)); f.certain) [[likely]] {
+            return {static_cast<int>(f.what()), stage::filter};
+        }
+    }
+    return refine_scaled_movers(a, b);
 }
 
 // For movers whose radii are not negative.

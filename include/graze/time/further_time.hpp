@@ -112,7 +112,7 @@ template <int N>
                                                      const ball<N, double>& b) noexcept {
     const scaled_motion s(a, b);
     const auto filtered = filter_scaled(s);
-    r.unit = s.length - s.velocity;
+    r.unit = s.unit();
     return filtered.certain &&
            step_time(
                r, filtered, [&](double near) __attribute__((always_inline)) {

@@ -9,6 +9,7 @@
 #include <graze/time/certain_rounding.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace graze::inline v0_1::detail {
 
@@ -51,8 +52,8 @@ template <class T>
     return {nearest, !doubtful};
 }
 
-// x 2^scale rounded to nearest, by one comparison of its ends, if both x and the result are normal numbers of T; for
-// floats only if nothing is scaled.
+// x 2^scale rounded to nearest, x > 0, by one comparison of its ends, if x is a normal number of T and the result is no
+// subnormal one; for floats only if nothing is scaled. Below 2^-1076 it is rounded to 0, from 2^1024 on to infinity.
 template <class T>
 [[nodiscard]] inline certain_number<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {
     if (scale == 0 || std::is_same_v<T, double>) {
@@ -66,6 +67,9 @@ template <class T>
             if (0 < exponent && exponent < 0x7ff) {
                 const auto shift = static_cast<std::uint64_t>(static_cast<std::int64_t>(scale)) << 52;
                 return {static_cast<T>(std::bit_cast<double>(bits + shift)), true};
+            }
+            if (exponent < -53 || exponent >= 0x7ff) {
+                return {exponent < 0 ? T(0) : std::numeric_limits<T>::infinity(), true};
             }
         }
     }
