@@ -159,14 +159,16 @@ template void complete(contact<2, float>&, component_set, encounter, const ball<
 template void complete(contact<3, float>&, component_set, encounter, const ball<3, float>&, const ball<3, float>&);
 template void complete(contact<2, double>&, component_set, encounter, const ball<2, double>&, const ball<2, double>&);
 template void complete(contact<3, double>&, component_set, encounter, const ball<3, double>&, const ball<3, double>&);
-template completed_contact<ball<2, float>> collide_further(const ball<2, float>&, const ball<2, float>&);
-template completed_contact<flight<2, float>> collide_further(const flight<2, float>&, const flight<2, float>&);
-template completed_contact<ball<3, float>> collide_further(const ball<3, float>&, const ball<3, float>&);
-template completed_contact<flight<3, float>> collide_further(const flight<3, float>&, const flight<3, float>&);
-template completed_contact<ball<2, double>> collide_further(const ball<2, double>&, const ball<2, double>&);
-template completed_contact<flight<2, double>> collide_further(const flight<2, double>&, const flight<2, double>&);
-template completed_contact<ball<3, double>> collide_further(const ball<3, double>&, const ball<3, double>&);
-template completed_contact<flight<3, double>> collide_further(const flight<3, double>&, const flight<3, double>&);
+template optional_contact<ball<2, float>> collide_further(const ball<2, float>&, const ball<2, float>&, stage&);
+template optional_contact<flight<2, float>> collide_further(const flight<2, float>&, const flight<2, float>&, stage&);
+template optional_contact<ball<3, float>> collide_further(const ball<3, float>&, const ball<3, float>&, stage&);
+template optional_contact<flight<3, float>> collide_further(const flight<3, float>&, const flight<3, float>&, stage&);
+template optional_contact<ball<2, double>> collide_further(const ball<2, double>&, const ball<2, double>&, stage&);
+template optional_contact<flight<2, double>> collide_further(const flight<2, double>&, const flight<2, double>&,
+                                                             stage&);
+template optional_contact<ball<3, double>> collide_further(const ball<3, double>&, const ball<3, double>&, stage&);
+template optional_contact<flight<3, double>> collide_further(const flight<3, double>&, const flight<3, double>&,
+                                                             stage&);
 template stage complete_further(contact<2, float>&, component_set, encounter, const ball<2, float>&,
                                 const ball<2, float>&);
 template stage complete_further(contact<2, float>&, component_set, encounter, const flight<2, float>&,

@@ -135,4 +135,23 @@ TEST_CASE("a subnormal float takes part in a time where subnormals count as zero
     }
 }
 
+// Along y the balls differ by a subnormal, and so does the normal from 0: R is 1.
+TEST_CASE("a subnormal double takes part in a contact where subnormals count as zero") {
+    const graze::ball<2> a{{4, 0x3p-1074}, {-1, 0}, 0.5, 1};
+    const graze::ball<2> b{{0, 0}, {0, 0}, 0.5, 1};
+    for (const bool flush : {false, true}) {
+        if (flush && !can_flush()) {
+            continue;
+        }
+        save_state();
+        const bool set = set_state(rounding::nearest, flush);
+        const auto contact = answers::of(a, b).contact.value();
+        restore_state();
+        REQUIRE(set);
+        CAPTURE(flush);
+        CHECK(contact.normal[1] == 0x3p-1074);
+        CHECK(contact.velocity_a[1] == 0x3p-1074);
+    }
+}
+
 } // namespace contact_state_test

@@ -59,92 +59,108 @@ constexpr void complete_all(contact_of_movers<B>& c, encounter what, const B& a,
     complete(c, all_components & ~given, what, a, b);
 }
 
-// The contact of two movers whose encounter the filter leaves open.
+// The functions that return a contact either return one variable, which is then made where it is returned, or what
+// another function returns: a copy would wait for its parts.
 template <moving B>
-struct completed_contact {
-    std::optional<contact_of_movers<B>> what;
-    stage decided_by;
-};
+using optional_contact = std::optional<contact_of_movers<B>>;
 template <moving B>
-[[nodiscard, gnu::noinline]] constexpr completed_contact<B> collide_further(const B& a, const B& b) {
-    std::optional<contact_of_movers<B>> c;
+using zeros_of = zero_contact<dimension_of<B>, number_in<B>>;
+
+// In unusual units scaled, then in words; c is left as it is if these don't decide.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline further_contact start_further(contact_of_movers<B>& c, const B& a, const B& b,
+                                                                       double mass_a, double mass_b) noexcept {
+    if constexpr (std::same_as<number_in<B>, double>) {
+        if (!has_usual_size(a, b)) {
+            if (const further_contact r = contact_scaled(c, a, b, mass_a, mass_b); r.what != undecided) {
+                return r;
+            }
+        }
+    }
+    return contact_by_words(c, all_components, a, b, mass_a, mass_b);
+}
+
+// The contact of two movers whose encounter the filter leaves open. `by` becomes the stage.
+template <moving B>
+[[nodiscard, gnu::noinline]] constexpr optional_contact<B> collide_further(const B& a, const B& b, stage& by) {
+    optional_contact<B> c(std::in_place, zeros_of<B>{});
     if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
         const double mass_a = mass_in_doubles(a, b);
         const double mass_b = mass_in_doubles(b, a);
-        c.emplace();
-        further_contact r;
-        if constexpr (std::same_as<number_in<B>, double>) {
-            if (!has_usual_size(a, b)) {
-                r = contact_scaled(*c, a, b, mass_a, mass_b);
-            }
-        }
-        if (r.what == undecided) {
-            r = contact_by_words(*c, all_components, a, b, mass_a, mass_b);
-        }
+        const further_contact r = start_further(*c, a, b, mass_a, mass_b);
         if (r.what != undecided) {
             const auto what = static_cast<encounter>(r.what);
             check_masses_of(a, b);
+            by = r.decided_by;
             if (!is_collision(what)) {
-                return {std::nullopt, r.decided_by};
+                c.reset();
+                return c;
             }
             const component_set open_components = open_after(r.certain, *c, what, a, b, mass_a, mass_b);
             if (open_components == 0) {
-                return {c, r.decided_by};
+                return c;
             }
-            if (r.decided_by == stage::filter || what == encounter::overlap) {
-                const stage by = complete_further(*c, open_components, what, a, b);
-                return {c, by};
+            if (by == stage::filter || what == encounter::overlap) {
+                by = complete_further(*c, open_components, what, a, b);
+            } else {
+                complete(*c, open_components, what, a, b);
+                by = stage::exact;
             }
-            complete(*c, open_components, what, a, b);
-            return {c, stage::exact};
+            return c;
         }
     }
+    by = stage::exact;
     const encounter what = classify_exactly(a, b);
     check_masses_of(a, b);
-    if (!is_collision(what)) {
-        return {std::nullopt, stage::exact};
+    if (is_collision(what)) {
+        complete_all(*c, what, a, b);
+    } else {
+        c.reset();
     }
-    c.emplace();
-    complete_all(*c, what, a, b);
-    return {c, stage::exact};
+    return c;
 }
 
-// The contact of two movers whose encounter the filter has decided. It is no graze.
-template <moving B, class Observer>
-[[nodiscard]] constexpr std::optional<contact_of_movers<B>> contact_of(const filtered_balls& f, const B& a, const B& b,
-                                                                       Observer&& observer) {
-    check_masses_of(a, b);
+// The contact of two movers that the filter knows to hit or to overlap, by doubles first. `by` becomes the stage.
+template <moving B>
+[[nodiscard, gnu::always_inline]] constexpr inline optional_contact<B>
+contact_of_filtered(const filtered_balls& f, const B& a, const B& b, stage& by) {
+    optional_contact<B> c(std::in_place, zeros_of<B>{});
     const encounter what = f.what();
-    if (!is_collision(what)) {
-        observer(stage::filter);
-        return std::nullopt;
-    }
-    std::optional<contact_of_movers<B>> c(std::in_place);
     if constexpr (has_error_free_doubles) {
-        if (rounds_to_nearest()) [[likely]] {
+        if (suits_contacts<number_in<B>>()) [[likely]] {
             const component_set open_components =
                 contact_in_doubles(*c, what, a, b, mass_in_doubles(a, b), mass_in_doubles(b, a),
                                    root_stable{}(f.c, f.h, std::sqrt(f.discriminant)));
-            observer(open_components == 0 ? stage::filter : complete_further(*c, open_components, what, a, b));
+            by = open_components == 0 ? stage::filter : complete_further(*c, open_components, what, a, b);
             return c;
         }
     }
     complete_all(*c, what, a, b);
-    observer(stage::exact);
+    by = stage::exact;
     return c;
 }
 
-template <moving B, class Observer>
-[[nodiscard]] constexpr std::optional<contact_of_movers<B>> collide_movers(const B& a, const B& b,
-                                                                           Observer&& observer) {
+template <moving B>
+[[nodiscard]] constexpr optional_contact<B> collide_movers(const B& a, const B& b, stage& by) {
     if (!std::is_constant_evaluated() && has_usual_size(a, b)) [[likely]] {
         if (const auto f = start_filter(a, b).finish(); f.certain) [[likely]] {
-            return contact_of(f, a, b, observer);
+            check_masses_of(a, b);
+            if (!is_collision(f.what())) {
+                by = stage::filter;
+                return std::nullopt;
+            }
+            return contact_of_filtered(f, a, b, by);
         }
     }
-    auto further = collide_further(a, b);
-    observer(further.decided_by);
-    return further.what;
+    return collide_further(a, b, by);
+}
+template <moving B, class Observer>
+[[nodiscard, gnu::always_inline]] constexpr inline optional_contact<B> collide_observed(const B& a, const B& b,
+                                                                                        Observer&& observer) {
+    stage by = stage::exact;
+    auto c = collide_movers(a, b, by);
+    observer(by);
+    return c;
 }
 
 } // namespace detail
@@ -156,7 +172,7 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<contact<N, T>> collide(const ball<N, T>& a, const ball<N, T>& b,
                                                              Observer&& observer = {}) {
-    return detail::collide_movers(a, b, observer);
+    return detail::collide_observed(a, b, observer);
 }
 
 // The contact of two flights, its time on the clock of `since`.
@@ -164,7 +180,7 @@ template <int N, std::floating_point T, class Observer = ignore_stage>
 requires is_binary_input<T>
 [[nodiscard]] constexpr std::optional<contact<N, T>> collide(const flight<N, T>& a, const flight<N, T>& b,
                                                              Observer&& observer = {}) {
-    return detail::collide_movers(a, b, observer);
+    return detail::collide_observed(a, b, observer);
 }
 
 } // namespace graze::inline v0_1

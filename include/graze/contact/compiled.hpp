@@ -31,16 +31,20 @@ extern template void complete(contact<2, double>&, component_set, encounter, con
                               const ball<2, double>&);
 extern template void complete(contact<3, double>&, component_set, encounter, const ball<3, double>&,
                               const ball<3, double>&);
-extern template completed_contact<ball<2, float>> collide_further(const ball<2, float>&, const ball<2, float>&);
-extern template completed_contact<flight<2, float>> collide_further(const flight<2, float>&, const flight<2, float>&);
-extern template completed_contact<ball<3, float>> collide_further(const ball<3, float>&, const ball<3, float>&);
-extern template completed_contact<flight<3, float>> collide_further(const flight<3, float>&, const flight<3, float>&);
-extern template completed_contact<ball<2, double>> collide_further(const ball<2, double>&, const ball<2, double>&);
-extern template completed_contact<flight<2, double>> collide_further(const flight<2, double>&,
-                                                                     const flight<2, double>&);
-extern template completed_contact<ball<3, double>> collide_further(const ball<3, double>&, const ball<3, double>&);
-extern template completed_contact<flight<3, double>> collide_further(const flight<3, double>&,
-                                                                     const flight<3, double>&);
+extern template optional_contact<ball<2, float>> collide_further(const ball<2, float>&, const ball<2, float>&, stage&);
+extern template optional_contact<flight<2, float>> collide_further(const flight<2, float>&, const flight<2, float>&,
+                                                                   stage&);
+extern template optional_contact<ball<3, float>> collide_further(const ball<3, float>&, const ball<3, float>&, stage&);
+extern template optional_contact<flight<3, float>> collide_further(const flight<3, float>&, const flight<3, float>&,
+                                                                   stage&);
+extern template optional_contact<ball<2, double>> collide_further(const ball<2, double>&, const ball<2, double>&,
+                                                                  stage&);
+extern template optional_contact<flight<2, double>> collide_further(const flight<2, double>&, const flight<2, double>&,
+                                                                    stage&);
+extern template optional_contact<ball<3, double>> collide_further(const ball<3, double>&, const ball<3, double>&,
+                                                                  stage&);
+extern template optional_contact<flight<3, double>> collide_further(const flight<3, double>&, const flight<3, double>&,
+                                                                    stage&);
 extern template stage complete_further(contact<2, float>&, component_set, encounter, const ball<2, float>&,
                                        const ball<2, float>&);
 extern template stage complete_further(contact<2, float>&, component_set, encounter, const flight<2, float>&,

@@ -5,6 +5,7 @@
 #include <graze/exact/rounding.hpp>
 #include <graze/formula/wall_encounter.hpp>
 #include <graze/linear/vec.hpp>
+#include <graze/machine/fence.hpp>
 
 namespace graze::inline v0_1 {
 
@@ -41,6 +42,17 @@ struct wall_contact {
 namespace detail {
 
 // x, with a zero as +0: by its bits, since with -fno-signed-zeros x + 0 and x == 0 ? 0 : x are x.
+// A contact of zeros. Where the compiler sees that they are zeros it clears them by an instruction that takes longer
+// than storing each.
+template <int N, class T>
+struct zero_contact {
+    [[nodiscard, gnu::always_inline]] constexpr operator contact<N, T>() const noexcept { // NOLINT
+        const T zero = settled(T(0));
+        const auto zeros = make_vec<N>([&](int) { return zero; });
+        return {zero, zeros, zeros, zeros, zeros, zeros};
+    }
+};
+
 template <class T>
 [[nodiscard]] constexpr T with_plain_zero(const T& x) noexcept {
     return from_bits<T>(is_zero(x) ? 0 : bits_of(x), false);

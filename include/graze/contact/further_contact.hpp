@@ -71,7 +71,7 @@ template <moving B>
         r.what = static_cast<int>(f.what());
         r.decided_by = stage::filter;
         if (is_collision(f.what())) {
-            contact<dimension_of<B>, double> found;
+            contact<dimension_of<B>, double> found = zero_contact<dimension_of<B>, double>{};
             rounded_components<dimension_of<B>, double> taken{found};
             const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
             if (contact_by_doubles(taken, f.what(), s.a, s.b, mass_a, mass_b, near)) {
@@ -93,7 +93,7 @@ template <int N>
     if (!s.known) {
         return 0;
     }
-    contact<N, double> found;
+    contact<N, double> found = zero_contact<N, double>{};
     rounded_components<N, double> taken{found};
     if (!contact_by_doubles(taken, encounter::overlap, s.a, s.b, mass_a, mass_b, 0)) {
         return 0;
@@ -142,7 +142,7 @@ template <int N, class T, moving B>
             return r;
         }
         if (has_usual_size(a, b)) {
-            contact<N, T> found;
+            contact<N, T> found = zero_contact<N, T>{};
             rounded_components<N, T> taken{wanted == all_components ? c : found};
             const auto w = take_by_words(taken, a, b, mass_a, mass_b);
             r.what = w.what;
@@ -159,7 +159,7 @@ template <int N, class T, moving B>
         }
         if constexpr (std::same_as<T, double>) { // floats are in range
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
-                contact<N, double> found;
+                contact<N, double> found = zero_contact<N, double>{};
                 rounded_components<N, double> taken{found};
                 r.what = take_by_words(taken, s.a, s.b, mass_a, mass_b).what;
                 r.certain = scale_back(c, taken, wanted, s.length, s.velocity);

@@ -24,33 +24,24 @@ struct scaled_movers {
     bool safe = false;
 };
 
-// The largest magnitude of lengths and of velocities. A NaN may be left out.
-template <int N>
-[[nodiscard, gnu::always_inline]] inline double largest(const vec<N, double>& x, const vec<N, double>& y) noexcept {
-    double r = std::max(std::fabs(as_stored(x[0])), std::fabs(as_stored(y[0])));
-    for (int i = 1; i < N; ++i) {
-        r = std::max(r, std::max(std::fabs(as_stored(x[i])), std::fabs(as_stored(y[i]))));
-    }
-    return r;
+// The largest magnitude; a NaN may be left out.
+[[nodiscard, gnu::always_inline]] inline double largest_size(const vec<2, double>& x) noexcept {
+    return std::max(std::fabs(as_stored(x[0])), std::fabs(as_stored(x[1])));
 }
+[[nodiscard, gnu::always_inline]] inline double largest_size(const vec<3, double>& x) noexcept {
+    return std::max(std::max(std::fabs(as_stored(x[0])), std::fabs(as_stored(x[1]))), std::fabs(as_stored(x[2])));
+}
+
 template <int N>
 [[nodiscard, gnu::always_inline]] inline double largest_length(const ball<N, double>& a,
                                                                const ball<N, double>& b) noexcept {
-    return std::max(largest(a.position, b.position),
-                    largest(vec<N, double>{{as_stored(a.radius)}}, vec<N, double>{{as_stored(b.radius)}}));
+    return std::max(std::max(largest_size(a.position), largest_size(b.position)),
+                    std::max(std::fabs(as_stored(a.radius)), std::fabs(as_stored(b.radius))));
 }
 
 // The exponent by which a number is multiplied: the largest is then within [2^-52, 2).
 [[nodiscard]] inline int scale_of(double largest) noexcept {
     return std::clamp(1023 - static_cast<int>(bits_of(largest) >> 52), -1022, 1023);
-}
-
-// The largest magnitude; a NaN may be left out.
-[[nodiscard, gnu::always_inline]] inline double largest_size(const vec<2, double>& x) noexcept {
-    return std::max(std::fabs(x[0]), std::fabs(x[1]));
-}
-[[nodiscard, gnu::always_inline]] inline double largest_size(const vec<3, double>& x) noexcept {
-    return std::max(std::max(std::fabs(x[0]), std::fabs(x[1])), std::fabs(x[2]));
 }
 
 // The power of two by which a number is multiplied to be within [1, 2), or less if it is subnormal. Of a number from
@@ -93,7 +84,7 @@ template <class B>
 [[nodiscard, gnu::always_inline]] inline scaled_movers<B> scaled(const B& a, const B& b) noexcept {
     scaled_movers<B> r;
     const double length = largest_length(state_of(a), state_of(b));
-    const double velocity = largest(state_of(a).velocity, state_of(b).velocity);
+    const double velocity = std::max(largest_size(state_of(a).velocity), largest_size(state_of(b).velocity));
     if (!(std::max(length, velocity) <= std::numeric_limits<double>::max())) {
         return r;
     }
@@ -103,10 +94,8 @@ template <class B>
     const double speed = power_of_two(faster);
     constexpr int N = dimension_of<B>;
     const auto put = [&](ball<N, double> & to, const ball<N, double>& from) __attribute__((always_inline)) {
-        for (int i = 0; i < N; ++i) {
-            to.position[i] = as_stored(as_stored(from.position[i]) * by);
-            to.velocity[i] = as_stored(as_stored(from.velocity[i]) * speed);
-        }
+        to.position = make_vec<N>([&](int i) { return as_stored(as_stored(from.position[i]) * by); });
+        to.velocity = make_vec<N>([&](int i) { return as_stored(as_stored(from.velocity[i]) * speed); });
         to.radius = as_stored(as_stored(from.radius) * by);
     };
     if constexpr (is_flight<B>) {
