@@ -5,10 +5,10 @@
 
 #include "../../proofs/bounds/constants.hpp"
 #include "../formula/inexact.hpp"
+#include "../property.hpp"
 #include "../soak/more_families.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <string>
 #include <vector>
@@ -98,7 +98,7 @@ void check(const std::vector<double>& inputs, families::random& r, record& to) {
         if (error >= 0) {
             ++to.tried;
             to.worst = std::max(to.worst, error);
-            RC_ASSERT(error <= (constant<Q, N, T>));
+            PROPERTY_ASSERT(error <= (constant<Q, N, T>));
         }
     }
 }
@@ -177,13 +177,13 @@ void holds_in_every_family(double slack) {
     const auto draw = [&](const auto& drawn, families::random& r) {
         for (const auto& family : drawn) {
             for (int draws = Q::of_two_balls ? (r.one_in(4) ? 1 : 0) : 3; draws > 0; --draws) { // few have planes
-                const auto index = *rc::gen::arbitrary<std::uint64_t>();
+                const auto index = property::any<std::uint64_t>();
                 check_quantity<T, Q, N>(family.template draw<N>(1, index % (1U << 20U)), r, to);
             }
         }
     };
-    CHECK(rc::check(std::string(graze::number_traits<T>::name) + ", " + Q::name, [&] {
-        families::random r(*rc::gen::arbitrary<std::uint64_t>());
+    CHECK(property::check(std::string(graze::number_traits<T>::name) + ", " + Q::name, [&] {
+        families::random r(property::any<std::uint64_t>());
         draw(families::all_families, r);
         draw(families::more_families, r);
     }));

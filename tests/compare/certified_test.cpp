@@ -1,8 +1,8 @@
 // The numbers of the certified run, compared with GMP's rationals.
+#include "../property.hpp"
 #include "run/certified.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <gmpxx.h>
 
@@ -31,12 +31,12 @@ struct pair {
 };
 
 pair drawn(long bits) {
-    const int numerator = *rc::gen::inRange(-1000, 1000);
-    const int denominator = *rc::gen::inRange(1, 1000);
+    const int numerator = property::in_range(-1000, 1000);
+    const int denominator = property::in_range(1, 1000);
     const certified number(exact_of(numerator, denominator), bits);
     mpq_class value(numerator, denominator);
     value.canonicalize();
-    return {*rc::gen::arbitrary<bool>() ? number.enclosed() : number, value};
+    return {property::any<bool>() ? number.enclosed() : number, value};
 }
 
 certified root_of(int x, long bits) { return sqrt(certified(exact(x), bits)); }
@@ -44,14 +44,14 @@ certified root_of(int x, long bits) { return sqrt(certified(exact(x), bits)); }
 } // namespace
 
 TEST_CASE("whatever is computed encloses the rational that GMP computes, and its sign is right or open") {
-    CHECK(rc::check([] {
-        const long bits = *rc::gen::inRange(4, 80);
+    CHECK(property::check([] {
+        const long bits = property::in_range(4, 80);
         std::vector<pair> all{drawn(bits), drawn(bits), drawn(bits)};
-        const int steps = *rc::gen::inRange(1, 25);
+        const int steps = property::in_range(1, 25);
         for (int i = 0; i < steps; ++i) {
-            const pair x = all[*rc::gen::inRange<std::size_t>(0, all.size())];
-            const pair y = all[*rc::gen::inRange<std::size_t>(0, all.size())];
-            const int operation = *rc::gen::inRange(0, 6);
+            const pair x = all[property::in_range<std::size_t>(0, all.size())];
+            const pair y = all[property::in_range<std::size_t>(0, all.size())];
+            const int operation = property::in_range(0, 6);
             pair z;
             if (operation == 0) {
                 z = {x.number + y.number, x.value + y.value};
@@ -68,42 +68,42 @@ TEST_CASE("whatever is computed encloses the rational that GMP computes, and its
             } else {
                 continue;
             }
-            RC_ASSERT(contains(z.number, z.value));
-            RC_ASSERT(!z.number.is_rational() || z.number.rational() == z.value);
+            PROPERTY_ASSERT(contains(z.number, z.value));
+            PROPERTY_ASSERT(!z.number.is_rational() || z.number.rational() == z.value);
             if (const std::optional<int> sign = z.number.certain_sign()) {
-                RC_ASSERT(*sign == sgn(z.value));
+                PROPERTY_ASSERT(*sign == sgn(z.value));
             }
             const graze::time_bounds bounds = z.number.bounds();
-            RC_ASSERT(bounds.lower <= z.value);
-            RC_ASSERT(z.value <= bounds.upper);
+            PROPERTY_ASSERT(bounds.lower <= z.value);
+            PROPERTY_ASSERT(z.value <= bounds.upper);
             all.push_back(z);
         }
     }));
 }
 
 TEST_CASE("a root of a rational's square is rational, any other is enclosed") {
-    CHECK(rc::check([] {
-        const int numerator = *rc::gen::inRange(0, 100'000), denominator = *rc::gen::inRange(1, 100'000);
+    CHECK(property::check([] {
+        const int numerator = property::in_range(0, 100'000), denominator = property::in_range(1, 100'000);
         const certified x(exact_of(numerator, denominator), 60);
         const certified root = sqrt(x * x);
-        RC_ASSERT(root.is_rational());
-        RC_ASSERT(root.rational() == x.rational());
+        PROPERTY_ASSERT(root.is_rational());
+        PROPERTY_ASSERT(root.rational() == x.rational());
         const certified irrational = sqrt(x * x + certified(exact_of(2, 1), 60) * x * x);
-        RC_ASSERT(contains(irrational * irrational, 3 * x.rational() * x.rational()));
+        PROPERTY_ASSERT(contains(irrational * irrational, 3 * x.rational() * x.rational()));
     }));
     CHECK(!root_of(2, 60).is_rational());
 }
 
 TEST_CASE("numbers of one quadratic field are exact, and their signs are certain") {
-    CHECK(rc::check([] {
-        const int d = *rc::gen::element(2, 3, 5, 6, 51, 1000);
+    CHECK(property::check([] {
+        const int d = property::one_of(2, 3, 5, 6, 51, 1000);
         const mpq_class radicand(d);
         struct element { // p + q√d
             certified number;
             mpq_class p, q;
         };
         const auto element_of = [&](const mpq_class& p, const mpq_class& q) {
-            const int square = *rc::gen::inRange(1, 5); // √(d s²) = s √d, in the same field
+            const int square = property::in_range(1, 5); // √(d s²) = s √d, in the same field
             return element{certified(p, 60) + certified(mpq_class(q / square), 60) * root_of(d * square * square, 60),
                            p, q};
         };
@@ -116,22 +116,22 @@ TEST_CASE("numbers of one quadratic field are exact, and their signs are certain
               norm == 0 ? x
                         : element{x.number / y.number, (x.p * y.p - x.q * y.q * radicand) / norm,
                                   (x.q * y.p - x.p * y.q) / norm}}) {
-            RC_ASSERT(z.number.is_exact());
-            RC_ASSERT(z.number.is_rational() == (z.q == 0));
+            PROPERTY_ASSERT(z.number.is_exact());
+            PROPERTY_ASSERT(z.number.is_rational() == (z.q == 0));
             // 400 bits of the root are enough: these numbers are 0 or larger than that.
             mpf_class root(0, 400);
             mpf_sqrt_ui(root.get_mpf_t(), static_cast<unsigned long>(d));
             const mpf_class value = mpf_class(z.p, 400) + mpf_class(z.q, 400) * root;
             const int sign = z.p == 0 && z.q == 0 ? 0 : sgn(value);
-            RC_ASSERT(z.number.certain_sign() == sign);
+            PROPERTY_ASSERT(z.number.certain_sign() == sign);
             const mpfi_interval around = z.number.interval();
             const mpq_class near(value), off = abs(near) / (mpz_class(1) << 300);
-            RC_ASSERT(mpfr_cmp_q(around.lower(), mpq_class(near + off).get_mpq_t()) <= 0);
-            RC_ASSERT(mpfr_cmp_q(around.upper(), mpq_class(near - off).get_mpq_t()) >= 0);
+            PROPERTY_ASSERT(mpfr_cmp_q(around.lower(), mpq_class(near + off).get_mpq_t()) <= 0);
+            PROPERTY_ASSERT(mpfr_cmp_q(around.upper(), mpq_class(near - off).get_mpq_t()) >= 0);
             // The root of the square, whichever sign it has, is in the field too.
             const certified square_root = sqrt(z.number * z.number);
-            RC_ASSERT(square_root.is_exact());
-            RC_ASSERT((sign < 0 ? square_root + z.number : square_root - z.number).certain_sign() == 0);
+            PROPERTY_ASSERT(square_root.is_exact());
+            PROPERTY_ASSERT((sign < 0 ? square_root + z.number : square_root - z.number).certain_sign() == 0);
         }
     }));
     CHECK(!(root_of(2, 60) + root_of(3, 60)).is_exact()); // of two fields

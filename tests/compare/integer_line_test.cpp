@@ -1,8 +1,8 @@
 // Flights in integers, compared with the same collisions in GMP's rationals, computed by the impulse at the contact.
+#include "../property.hpp"
 #include "run/integer_line.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 namespace integer_line_test {
 
@@ -22,7 +22,7 @@ mpq_class ratio(const mpz_class& x, const mpz_class& y) {
     q.canonicalize();
     return q;
 }
-int drawn(int low, int high) { return *rc::gen::inRange(low, high); }
+int drawn(int low, int high) { return property::in_range(low, high); }
 
 // A ball on the line y = 2/3 in rationals, and as a line of integers over a denominator that is not in lowest terms.
 struct ball {
@@ -39,7 +39,7 @@ mpq_class place_at(const integer_line<2>& a, const mpq_class& t) {
 } // namespace
 
 TEST_CASE("head on, once and again") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const mpq_class m = fraction(drawn(1, 50), drawn(1, 9)), n = fraction(drawn(1, 50), drawn(1, 9));
         const mpq_class reach = fraction(drawn(0, 9), drawn(1, 9));
         const ball a{fraction(drawn(-50, 0), drawn(1, 9)), fraction(drawn(1, 50), drawn(1, 9))};
@@ -48,26 +48,26 @@ TEST_CASE("head on, once and again") {
         const bool first_is_behind = drawn(0, 2) == 0;
         const bool met = first_is_behind ? bounce_head_on<2>(x, y, reach, 1 / m, 1 / n)
                                          : bounce_head_on<2>(y, x, reach, 1 / n, 1 / m);
-        RC_ASSERT(met);
+        PROPERTY_ASSERT(met);
         const mpq_class t = (b.x - a.x - reach) / (a.u - b.u);
         const mpq_class u = (m * a.u + n * b.u - n * (a.u - b.u)) / (m + n), v = u + a.u - b.u;
-        RC_ASSERT(ratio(x.since.numerator, x.since.denominator) == t);
-        RC_ASSERT(ratio(y.since.numerator, y.since.denominator) == t);
-        RC_ASSERT(place_at(x, t) == a.x + a.u * t);
-        RC_ASSERT(place_at(y, t) == b.x + b.u * t);
-        RC_ASSERT(ratio(x.speed[0], x.denominator) == u);
-        RC_ASSERT(ratio(y.speed[0], y.denominator) == v);
-        RC_ASSERT(ratio(x.place[1], x.denominator) == fraction(2, 3));
+        PROPERTY_ASSERT(ratio(x.since.numerator, x.since.denominator) == t);
+        PROPERTY_ASSERT(ratio(y.since.numerator, y.since.denominator) == t);
+        PROPERTY_ASSERT(place_at(x, t) == a.x + a.u * t);
+        PROPERTY_ASSERT(place_at(y, t) == b.x + b.u * t);
+        PROPERTY_ASSERT(ratio(x.speed[0], x.denominator) == u);
+        PROPERTY_ASSERT(ratio(y.speed[0], y.denominator) == v);
+        PROPERTY_ASSERT(ratio(x.place[1], x.denominator) == fraction(2, 3));
 
         // Then the ball in front bounces off a plane across its way.
         const mpq_class r = fraction(drawn(0, 9), drawn(1, 9)), ahead = fraction(drawn(1, 50), drawn(1, 9));
-        RC_PRE(sgn(v) > 0);
+        PROPERTY_PRE(sgn(v) > 0);
         const mpq_class wall = place_at(y, t) + r + ahead;
-        RC_ASSERT(bounce_off<2>(y, r, {{wall, 7}}, {{fraction(drawn(1, 9), 4), 0}}));
+        PROPERTY_ASSERT(bounce_off<2>(y, r, {{wall, 7}}, {{fraction(drawn(1, 9), 4), 0}}));
         const mpq_class then = t + ahead / v;
-        RC_ASSERT(ratio(y.since.numerator, y.since.denominator) == then);
-        RC_ASSERT(place_at(y, then) == wall - r);
-        RC_ASSERT(ratio(y.speed[0], y.denominator) == -v);
+        PROPERTY_ASSERT(ratio(y.since.numerator, y.since.denominator) == then);
+        PROPERTY_ASSERT(place_at(y, then) == wall - r);
+        PROPERTY_ASSERT(ratio(y.speed[0], y.denominator) == -v);
     }));
 }
 

@@ -1,11 +1,10 @@
 # Certified runs and runs in number types.
-find_package(rapidcheck REQUIRED)
 set(certified certified_test.cpp certified_run_test.cpp certified_ties_test.cpp event_check_test.cpp integer_line_test.cpp)
 if(TARGET graze_exact_runs AND TARGET graze_number_gmp)
     list(APPEND certified certified_points_test.cpp)
 endif()
 graze_add_tests_together(compare_certified_tests compare_*_test SOURCES ${certified} LIBRARIES compare_certified
-    $<TARGET_NAME_IF_EXISTS:graze_exact_runs> $<TARGET_NAME_IF_EXISTS:graze_number_gmp> rapidcheck)
+    $<TARGET_NAME_IF_EXISTS:graze_exact_runs> $<TARGET_NAME_IF_EXISTS:graze_number_gmp> graze_properties)
 target_compile_definitions(compare_certified_tests PRIVATE
     "GRAZE_SCENES=\"${PROJECT_SOURCE_DIR}/examples/scenes\"")
 target_compile_options(compare_certified_tests PRIVATE -O0) # what takes the time is compiled elsewhere

@@ -25,15 +25,15 @@ void check(const I& x, const mpz_class& truth) {
         std::fesetround(mode);
         const graze::detail::scaled_double y = graze::detail::approximate(x);
         std::fesetround(FE_TONEAREST);
-        RC_ASSERT(abs(value(y) - truth) * wide::power(50) <= abs(truth));
-        RC_ASSERT(std::fabs(y.significand) < 0x1p65);
-        RC_ASSERT(truth == 0 || std::fabs(y.significand) >= 0x1p-66);
+        PROPERTY_ASSERT(abs(value(y) - truth) * wide::power(50) <= abs(truth));
+        PROPERTY_ASSERT(std::fabs(y.significand) < 0x1p65);
+        PROPERTY_ASSERT(truth == 0 || std::fabs(y.significand) >= 0x1p-66);
     }
 }
 
 template <int Bits>
 void check_integer() {
-    const mpz_class truth = wide::any(*rc::gen::inRange(1, Bits + 1));
+    const mpz_class truth = wide::any(property::in_range(1, Bits + 1));
     graze::integer<Bits> x;
     for (int i = 0; i < graze::integer<Bits>::limbs; ++i) {
         x.set_limb(i, wide::low_word(mpz_class(truth >> static_cast<unsigned long>(64 * i))));
@@ -45,15 +45,14 @@ void check_big() {
     graze::detail::workspace_of<2000> room;
     graze::detail::big_integer x;
     mpz_class truth;
-    const int top = *rc::gen::inRange(0, 31);
+    const int top = property::in_range(0, 31);
     for (int position = 0; position <= top; ++position) {
         const bool last = position == top;
-        const auto digit =
-            last || *rc::gen::arbitrary<bool>()
-                ? *rc::gen::element(std::int64_t{1}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::min(),
-                                    std::numeric_limits<std::int64_t>::max(),
-                                    static_cast<std::int64_t>(wide::any_word()))
-                : 0;
+        const auto digit = last || property::any<bool>() ? property::one_of(std::int64_t{1}, std::int64_t{-1},
+                                                                            std::numeric_limits<std::int64_t>::min(),
+                                                                            std::numeric_limits<std::int64_t>::max(),
+                                                                            static_cast<std::int64_t>(wide::any_word()))
+                                                         : 0;
         x = x + graze::detail::big_integer::from_shifted(room, digit, 64 * position);
         truth += wide::from_signed(digit) << static_cast<unsigned long>(64 * position);
     }
@@ -63,11 +62,11 @@ void check_big() {
 } // namespace
 
 TEST_CASE("Wide integers as doubles") {
-    CHECK(rc::check(check_integer<61>));
-    CHECK(rc::check(check_integer<64>));
-    CHECK(rc::check(check_integer<128>));
-    CHECK(rc::check(check_integer<517>));
-    CHECK(rc::check(check_big));
+    CHECK(property::check([] { check_integer<61>(); }));
+    CHECK(property::check([] { check_integer<64>(); }));
+    CHECK(property::check([] { check_integer<128>(); }));
+    CHECK(property::check([] { check_integer<517>(); }));
+    CHECK(property::check([] { check_big(); }));
     CHECK(graze::detail::approximate(graze::integer<200>()).significand == 0);
     CHECK(graze::detail::approximate(graze::detail::big_integer()).significand == 0);
 }

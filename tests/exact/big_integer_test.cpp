@@ -19,34 +19,34 @@ constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
 std::int64_t any_digit() {
-    switch (*rc::gen::inRange(0, 4)) {
+    switch (property::in_range(0, 4)) {
     case 0:
-        return *rc::gen::element(least, most, least + 1, std::int64_t{-1}, std::int64_t{1});
+        return property::one_of(least, most, least + 1, std::int64_t{-1}, std::int64_t{1});
     case 1:
         return static_cast<std::int64_t>(wide::any_word());
     default:
-        return *rc::gen::arbitrary<std::int64_t>();
+        return property::any<std::int64_t>();
     }
 }
 
 // Numbers of up to `digits` digits, close and far apart, some negated, some small constants.
 big_integer any_value(workspace& w, int digits, mpz_class& truth) {
-    if (*rc::gen::inRange(0, 10) == 0) {
-        const int small = *rc::gen::inRange(-2, 3);
+    if (property::in_range(0, 10) == 0) {
+        const int small = property::in_range(-2, 3);
         truth = small;
         return small;
     }
-    const int density = *rc::gen::inRange(1, 5);
+    const int density = property::in_range(1, 5);
     big_integer x;
     truth = 0;
     for (int position = 0; position < digits; ++position) {
-        if (*rc::gen::inRange(0, density) == 0) {
+        if (property::in_range(0, density) == 0) {
             const std::int64_t digit = any_digit();
             x = x + big_integer::from_shifted(w, digit, 64 * position);
             truth += wide::from_signed(digit) * wide::power(64 * position);
         }
     }
-    if (*rc::gen::arbitrary<bool>()) {
+    if (property::any<bool>()) {
         truth = -truth;
         return -x;
     }
@@ -55,11 +55,11 @@ big_integer any_value(workspace& w, int digits, mpz_class& truth) {
 
 // What a value promises: its digits, size and sign.
 void check(const big_integer& x, const mpz_class& truth) {
-    RC_ASSERT(value(x) == truth);
-    RC_ASSERT(graze::sign(x) == sgn(truth));
+    PROPERTY_ASSERT(value(x) == truth);
+    PROPERTY_ASSERT(graze::sign(x) == sgn(truth));
     if (x.count() != 0) {
-        RC_ASSERT(x.digit(0) != 0);
-        RC_ASSERT(x.digit(x.count() - 1) != 0);
+        PROPERTY_ASSERT(x.digit(0) != 0);
+        PROPERTY_ASSERT(x.digit(x.count() - 1) != 0);
     }
 }
 
@@ -77,9 +77,9 @@ void check_pair(int most_x, int most_y) {
     check(-x, -a);
     check(x + x, 2 * a);
     check(x * x, a * a);
-    RC_ASSERT((x - x).count() == 0);
-    RC_ASSERT((x * big_integer()).count() == 0);
-    RC_ASSERT((y * big_integer(0)).sign() == 0);
+    PROPERTY_ASSERT((x - x).count() == 0);
+    PROPERTY_ASSERT((x * big_integer()).count() == 0);
+    PROPERTY_ASSERT((y * big_integer(0)).sign() == 0);
 }
 
 void check_vectors(int digits) {
@@ -137,20 +137,20 @@ TEST_CASE("significand 2^shift") {
 }
 
 TEST_CASE("Sums, differences and products are GMP's") {
-    CHECK(rc::check([] { check_pair(1, 1); }));
-    CHECK(rc::check([] { check_pair(3, 3); }));
-    CHECK(rc::check([] { check_pair(33, 2); }));
-    CHECK(rc::check([] { check_pair(40, 90); }));
-    CHECK(rc::check([] { check_vectors(2); }));
-    CHECK(rc::check([] { check_vectors(35); }));
+    CHECK(property::check([] { check_pair(1, 1); }));
+    CHECK(property::check([] { check_pair(3, 3); }));
+    CHECK(property::check([] { check_pair(33, 2); }));
+    CHECK(property::check([] { check_pair(40, 90); }));
+    CHECK(property::check([] { check_vectors(2); }));
+    CHECK(property::check([] { check_vectors(35); }));
 }
 
 TEST_CASE("Integers of a width are the same numbers") {
-    CHECK(rc::check(check_integer<61>));
-    CHECK(rc::check(check_integer<63>));
-    CHECK(rc::check(check_integer<127>));
-    CHECK(rc::check(check_integer<128>));
-    CHECK(rc::check(check_integer<576>));
+    CHECK(property::check([] { check_integer<61>(); }));
+    CHECK(property::check([] { check_integer<63>(); }));
+    CHECK(property::check([] { check_integer<127>(); }));
+    CHECK(property::check([] { check_integer<128>(); }));
+    CHECK(property::check([] { check_integer<576>(); }));
 }
 
 TEST_CASE("Numbers far apart have zeros between them") {

@@ -30,27 +30,27 @@ mpq_class power(int exponent) {
 template <class T>
 void check_number(T x) {
     const graze::detail::binary b = graze::detail::to_binary(x);
-    RC_ASSERT(wide::from_signed(b.significand) * power(b.exponent) == exact(x));
-    RC_ASSERT((b.significand % 2 != 0) == (x != 0));
-    RC_ASSERT(graze::detail::is_finite_input(x));
+    PROPERTY_ASSERT(wide::from_signed(b.significand) * power(b.exponent) == exact(x));
+    PROPERTY_ASSERT((b.significand % 2 != 0) == (x != 0));
+    PROPERTY_ASSERT(graze::detail::is_finite_input(x));
 }
 
 // Any finite number of T: random bits, an end of the range, or small.
 template <class T>
 T any_number() {
     using limits = std::numeric_limits<T>;
-    switch (*rc::gen::inRange(0, 4)) {
+    switch (property::in_range(0, 4)) {
     case 0:
-        return *rc::gen::element(limits::max(), limits::lowest(), limits::min(), limits::denorm_min(), T(0), T(1));
+        return property::one_of(limits::max(), limits::lowest(), limits::min(), limits::denorm_min(), T(0), T(1));
     case 1:
-        return static_cast<T>(*rc::gen::inRange(-100, 101));
+        return static_cast<T>(property::in_range(-100, 101));
     default:
         if constexpr (std::is_floating_point_v<T>) {
             using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-            const T x = std::bit_cast<T>(*rc::gen::arbitrary<bits>());
+            const T x = std::bit_cast<T>(property::any<bits>());
             return std::isfinite(x) ? x : T(0);
         } else {
-            return *rc::gen::arbitrary<T>();
+            return property::any<T>();
         }
     }
 }
@@ -67,11 +67,11 @@ void check_lifted() {
     group.room = &room;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const mpq_class whole = exact(values[i]) / power(group.exponent);
-        RC_ASSERT(whole.get_den() == 1);
-        RC_ASSERT(abs(whole.get_num()) < wide::power(group.width) || whole == 0);
-        RC_ASSERT(group.width <= 2098);
-        RC_ASSERT(wide::value(group.template get<graze::detail::big_integer>(i)) == whole.get_num());
-        RC_ASSERT(wide::value(group.template get<graze::integer<2098>>(i)) == whole.get_num());
+        PROPERTY_ASSERT(whole.get_den() == 1);
+        PROPERTY_ASSERT(abs(whole.get_num()) < wide::power(group.width) || whole == 0);
+        PROPERTY_ASSERT(group.width <= 2098);
+        PROPERTY_ASSERT(wide::value(group.template get<graze::detail::big_integer>(i)) == whole.get_num());
+        PROPERTY_ASSERT(wide::value(group.template get<graze::integer<2098>>(i)) == whole.get_num());
     }
 }
 
@@ -92,15 +92,15 @@ void check_aligned() {
     graze::detail::lift(a, x.data());
     graze::detail::lift(b, y.data());
     graze::detail::align(a, b);
-    RC_ASSERT(a.exponent == b.exponent);
-    RC_ASSERT(a.width == b.width);
-    RC_ASSERT(a.width <= 2098);
+    PROPERTY_ASSERT(a.exponent == b.exponent);
+    PROPERTY_ASSERT(a.width == b.width);
+    PROPERTY_ASSERT(a.width <= 2098);
     graze::detail::workspace_of<10> room;
     a.room = b.room = &room;
     const auto check = [](const auto& group, const auto& values) {
         for (std::size_t i = 0; i < values.size(); ++i) {
             const mpz_class whole = wide::value(group.template get<graze::detail::big_integer>(i));
-            RC_ASSERT(whole * power(group.exponent) == exact(values[i]));
+            PROPERTY_ASSERT(whole * power(group.exponent) == exact(values[i]));
         }
     };
     check(a, x);
@@ -121,10 +121,10 @@ static_assert(graze::detail::is_finite_input(limits::max()) && graze::detail::is
 } // namespace
 
 TEST_CASE("A number is significand 2^exponent") {
-    CHECK(rc::check([] { check_number(any_number<double>()); }));
-    CHECK(rc::check([] { check_number(any_number<float>()); }));
-    CHECK(rc::check([] { check_number(any_number<std::int32_t>()); }));
-    CHECK(rc::check([] { check_number(any_number<std::int64_t>()); }));
+    CHECK(property::check([] { check_number(any_number<double>()); }));
+    CHECK(property::check([] { check_number(any_number<float>()); }));
+    CHECK(property::check([] { check_number(any_number<std::int32_t>()); }));
+    CHECK(property::check([] { check_number(any_number<std::int64_t>()); }));
 }
 
 TEST_CASE("Every power of two is taken apart") {
@@ -141,11 +141,11 @@ TEST_CASE("Every power of two is taken apart") {
 }
 
 TEST_CASE("Lifted numbers are integers of the width that is said") {
-    CHECK(rc::check([] { check_lifted<double>(); }));
-    CHECK(rc::check([] { check_lifted<float>(); }));
-    CHECK(rc::check([] { check_lifted<std::int32_t>(); }));
-    CHECK(rc::check([] { check_lifted<std::int64_t>(); }));
-    CHECK(rc::check(check_aligned));
+    CHECK(property::check([] { check_lifted<double>(); }));
+    CHECK(property::check([] { check_lifted<float>(); }));
+    CHECK(property::check([] { check_lifted<std::int32_t>(); }));
+    CHECK(property::check([] { check_lifted<std::int64_t>(); }));
+    CHECK(property::check([] { check_aligned(); }));
 }
 
 TEST_CASE("Zeros take no part in the scale, nor do bits that are zero in all") {

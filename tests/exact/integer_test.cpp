@@ -32,12 +32,12 @@ void check_pair() {
     static_assert(std::is_same_v<decltype(a + b), integer<(A > B ? A : B) + 1>>);
     static_assert(std::is_same_v<decltype(a - b), integer<(A > B ? A : B) + 1>>);
     static_assert(std::is_same_v<decltype(a * b), integer<A + B>>);
-    RC_ASSERT(value(a + b) == x + y);
-    RC_ASSERT(value(a - b) == x - y);
-    RC_ASSERT(value(a * b) == x * y);
-    RC_ASSERT(value(a * -b) == -(x * y));
+    PROPERTY_ASSERT(value(a + b) == x + y);
+    PROPERTY_ASSERT(value(a - b) == x - y);
+    PROPERTY_ASSERT(value(a * b) == x * y);
+    PROPERTY_ASSERT(value(a * -b) == -(x * y));
     if constexpr (A < B) {
-        RC_ASSERT(value(integer<B>(a)) == x);
+        PROPERTY_ASSERT(value(integer<B>(a)) == x);
     }
 }
 
@@ -45,25 +45,26 @@ template <int Bits>
 void check_one() {
     const mpz_class x = wide::any(Bits), y = wide::any(Bits);
     const auto a = in<Bits>(x), b = in<Bits>(y);
-    RC_ASSERT(value(-a) == -x);
-    RC_ASSERT(graze::sign(a) == sgn(x));
-    RC_ASSERT(a.is_negative() == (x < 0));
-    RC_ASSERT((a == b) == (x == y));
-    RC_ASSERT((a <=> b) == (cmp(x, y) <=> 0));
-    RC_ASSERT(a == in<Bits>(x));
-    RC_ASSERT(a.limb(integer<Bits>::limbs) == (x < 0 ? ~std::uint64_t{0} : 0U)); // beyond the last
+    PROPERTY_ASSERT(value(-a) == -x);
+    PROPERTY_ASSERT(graze::sign(a) == sgn(x));
+    PROPERTY_ASSERT(a.is_negative() == (x < 0));
+    PROPERTY_ASSERT((a == b) == (x == y));
+    PROPERTY_ASSERT((a <=> b) == (cmp(x, y) <=> 0));
+    PROPERTY_ASSERT(a == in<Bits>(x));
+    PROPERTY_ASSERT(a.limb(integer<Bits>::limbs) == (x < 0 ? ~std::uint64_t{0} : 0U)); // beyond the last
 
     // significand 2^shift, as large as the width allows.
-    const int bits = *rc::gen::inRange(1, std::min(Bits, 63) + 1);
-    const int shift = *rc::gen::inRange(0, Bits - bits + 1);
+    const int bits = property::in_range(1, std::min(Bits, 63) + 1);
+    const int shift = property::in_range(0, Bits - bits + 1);
     const mpz_class significand = wide::any(bits);
     const auto word = static_cast<std::int64_t>(wide::low_word(significand));
-    RC_ASSERT(value(integer<Bits>::from_shifted(word, shift)) == significand << static_cast<unsigned long>(shift));
+    PROPERTY_ASSERT(value(integer<Bits>::from_shifted(word, shift)) == significand
+                                                                           << static_cast<unsigned long>(shift));
 }
 
 template <int A, int... B>
 bool holds_beside(std::integer_sequence<int, B...>) {
-    return (rc::check([] { check_pair<A, B>(); }) && ...) && rc::check([] { check_one<A>(); });
+    return (property::check([] { check_pair<A, B>(); }) && ...) && property::check([] { check_one<A>(); });
 }
 template <int... A>
 bool holds_for_all(std::integer_sequence<int, A...> widths) {

@@ -62,16 +62,16 @@ bool holds(const tracked& t) {
 
 template <class Z>
 tracked draw(int bits) {
-    const mpz_class x = wide::any(*rc::gen::inRange(1, bits + 1));
+    const mpz_class x = wide::any(property::in_range(1, bits + 1));
     return {leading_of(make<Z>(x)), x};
 }
 // The same with an error of some bits; now and then the truth is at the end of the range.
 tracked blurred() {
     tracked t = draw<graze::integer<300>>(300);
-    if (t.bits.significand != 0 && *rc::gen::arbitrary<bool>()) {
-        t.bits.error += std::uint64_t{1} << *rc::gen::inRange(0, 36);
+    if (t.bits.significand != 0 && property::any<bool>()) {
+        t.bits.error += std::uint64_t{1} << property::in_range(0, 36);
         const mpz_class end =
-            wide::from_unsigned(t.bits.significand) + *rc::gen::element(1, -1) * wide::from_unsigned(t.bits.error);
+            wide::from_unsigned(t.bits.significand) + property::one_of(1, -1) * wide::from_unsigned(t.bits.error);
         t.truth = mpq_class(t.bits.negative ? mpz_class(-end) : end) * power(t.bits.exponent);
     }
     return t;
@@ -97,124 +97,125 @@ bool rounds(const mpz_class& p, const mpz_class& q, const mpz_class& d, const mp
 }
 template <class T>
 void round(const mpz_class& p, const mpz_class& q, const mpz_class& d, const mpz_class& r, int scale) {
-    RC_ASSERT((rounds<T, graze::integer<576>>(p, q, d, r, scale)));
-    RC_ASSERT((rounds<T, graze::integer<1152>>(p, q, d, r, scale)));
-    RC_ASSERT((rounds<T, big_integer>(p, q, d, r, scale)));
+    PROPERTY_ASSERT((rounds<T, graze::integer<576>>(p, q, d, r, scale)));
+    PROPERTY_ASSERT((rounds<T, graze::integer<1152>>(p, q, d, r, scale)));
+    PROPERTY_ASSERT((rounds<T, big_integer>(p, q, d, r, scale)));
 }
 void round_both(const mpz_class& p, const mpz_class& q, const mpz_class& d, const mpz_class& r, int scale) {
     round<double>(p, q, d, r, scale);
     round<float>(p, q, d, r, scale);
 }
 
-mpz_class any_of(int bits) { return wide::any(*rc::gen::inRange(1, bits + 1)); }
+mpz_class any_of(int bits) { return wide::any(property::in_range(1, bits + 1)); }
 mpz_class positive(int bits) { return abs(any_of(bits)) + 1; }
 
 } // namespace
 
 TEST_CASE("quotients and roots of two words") {
     using namespace graze::detail;
-    CHECK(rc::check("quotient", [] {
+    CHECK(property::check("quotient", [] {
         const std::uint64_t divisor = wide::any_word() | std::uint64_t{1} << 63;
         const std::uint64_t high = wide::any_word() % divisor;
         const std::uint64_t low = wide::any_word();
         const mpz_class truth =
             (wide::from_unsigned(high) * wide::power(64) + wide::from_unsigned(low)) / wide::from_unsigned(divisor);
-        RC_ASSERT(wide::from_unsigned(divide(high, low, divisor)) == truth);
-        RC_ASSERT(wide::from_unsigned(divide_portable(high, low, divisor)) == truth);
+        PROPERTY_ASSERT(wide::from_unsigned(divide(high, low, divisor)) == truth);
+        PROPERTY_ASSERT(wide::from_unsigned(divide_portable(high, low, divisor)) == truth);
     }));
-    CHECK(rc::check("root", [] {
-        const std::uint64_t high = wide::any_word() | std::uint64_t{1} << (62 + *rc::gen::inRange(0, 2));
+    CHECK(property::check("root", [] {
+        const std::uint64_t high = wide::any_word() | std::uint64_t{1} << (62 + property::in_range(0, 2));
         const std::uint64_t low = wide::any_word();
         const mpz_class n = wide::from_unsigned(high) * wide::power(64) + wide::from_unsigned(low);
         const mpz_class root = wide::from_unsigned(square_root(high, low));
-        RC_ASSERT((root - 1) * (root - 1) <= n);
-        RC_ASSERT(n <= (root + 1) * (root + 1));
+        PROPERTY_ASSERT((root - 1) * (root - 1) <= n);
+        PROPERTY_ASSERT(n <= (root + 1) * (root + 1));
         const mpz_class floor = sqrt(wide::from_unsigned(high));
-        RC_ASSERT(wide::from_unsigned(square_root(high)) == floor);
+        PROPERTY_ASSERT(wide::from_unsigned(square_root(high)) == floor);
     }));
     static_assert(square_root(std::uint64_t{99}) == 9 && square_root(~std::uint64_t{0}) == 0xffffffffU);
 }
 
 TEST_CASE("leading bits are as good as they say") {
-    CHECK(rc::check("of integers", [] {
-        RC_ASSERT(holds(draw<graze::integer<576>>(576)));
+    CHECK(property::check("of integers", [] {
+        PROPERTY_ASSERT(holds(draw<graze::integer<576>>(576)));
         const graze::detail::workspace::scope scope(&room);
-        RC_ASSERT(holds(draw<big_integer>(2000)));
+        PROPERTY_ASSERT(holds(draw<big_integer>(2000)));
     }));
-    CHECK(rc::check("of big integers with digits at their ends", [] {
+    CHECK(property::check("of big integers with digits at their ends", [] {
         const graze::detail::workspace::scope scope(&room);
         big_integer x;
         mpz_class truth;
         for (int position = 0; position < 9; ++position) {
             const std::int64_t digit =
-                *rc::gen::element(std::int64_t{0}, std::int64_t{1}, std::int64_t{-1},
-                                  std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
+                property::one_of(std::int64_t{0}, std::int64_t{1}, std::int64_t{-1},
+                                 std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
             x = x + big_integer::from_shifted(room, digit, 64 * position);
             truth += wide::from_signed(digit) << static_cast<unsigned long>(64 * position);
         }
-        RC_ASSERT(holds({leading_of(x), truth}));
+        PROPERTY_ASSERT(holds({leading_of(x), truth}));
     }));
-    CHECK(rc::check("of products, quotients, sums and roots", [] {
+    CHECK(property::check("of products, quotients, sums and roots", [] {
         const tracked x = blurred(), y = blurred();
-        RC_ASSERT(holds({x.bits * y.bits, x.truth * y.truth}));
-        RC_ASSERT(holds({x.bits + y.bits, x.truth + y.truth}));
+        PROPERTY_ASSERT(holds({x.bits * y.bits, x.truth * y.truth}));
+        PROPERTY_ASSERT(holds({x.bits + y.bits, x.truth + y.truth}));
         if (y.bits.significand != 0) {
-            RC_ASSERT(holds({x.bits / y.bits, x.truth / y.truth}));
+            PROPERTY_ASSERT(holds({x.bits / y.bits, x.truth / y.truth}));
         }
         if (!x.bits.negative) {
             const leading root = graze::detail::square_root(x.bits);
             const auto square = [](const mpz_class& z) { return mpq_class(z * z); };
             const mpz_class middle = wide::from_unsigned(root.significand), error = wide::from_unsigned(root.error);
-            RC_ASSERT(square(middle - error) * power(2 * root.exponent) <= x.truth);
-            RC_ASSERT(x.truth <= square(middle + error) * power(2 * root.exponent));
+            PROPERTY_ASSERT(square(middle - error) * power(2 * root.exponent) <= x.truth);
+            PROPERTY_ASSERT(x.truth <= square(middle + error) * power(2 * root.exponent));
         }
     }));
-    CHECK(rc::check("of differences that cancel", [] {
+    CHECK(property::check("of differences that cancel", [] {
         tracked x = blurred(), y = x;
         y.bits.negative = !y.bits.negative;
-        y.bits.significand ^= y.bits.significand != 0 ? std::uint64_t{1} << *rc::gen::inRange(0, 63) : 0;
+        y.bits.significand ^= y.bits.significand != 0 ? std::uint64_t{1} << property::in_range(0, 63) : 0;
         y.bits.error = 0;
         y.truth =
             mpq_class(wide::from_unsigned(y.bits.significand)) * (y.bits.negative ? -1 : 1) * power(y.bits.exponent);
-        RC_ASSERT(holds({x.bits + y.bits, x.truth + y.truth}));
+        PROPERTY_ASSERT(holds({x.bits + y.bits, x.truth + y.truth}));
     }));
 }
 
 TEST_CASE("any number is rounded correctly") {
-    CHECK(rc::check("of any size", [] {
-        round_both(any_of(500), any_of(250), abs(any_of(500)), positive(500), *rc::gen::inRange(-1400, 1400));
+    CHECK(property::check("of any size", [] {
+        round_both(any_of(500), any_of(250), abs(any_of(500)), positive(500), property::in_range(-1400, 1400));
     }));
-    CHECK(rc::check("small and often equal",
-                    [] { round_both(any_of(5), any_of(3), abs(any_of(4)), positive(4), *rc::gen::inRange(-8, 9)); }));
-    CHECK(rc::check("at the ends of the formats", [] {
-        const int scale = *rc::gen::element(-1074, -1022, -149, -126, 127, 1023) + *rc::gen::inRange(-56, 2);
+    CHECK(property::check("small and often equal", [] {
+        round_both(any_of(5), any_of(3), abs(any_of(4)), positive(4), property::in_range(-8, 9));
+    }));
+    CHECK(property::check("at the ends of the formats", [] {
+        const int scale = property::one_of(-1074, -1022, -149, -126, 127, 1023) + property::in_range(-56, 2);
         round_both(any_of(60), any_of(4), abs(any_of(6)), mpz_class(1), scale);
     }));
-    CHECK(rc::check("of the largest scales", [] {
-        round_both(any_of(300), any_of(30), abs(any_of(500)), positive(200), *rc::gen::element(-2098, 2098));
+    CHECK(property::check("of the largest scales", [] {
+        round_both(any_of(300), any_of(30), abs(any_of(500)), positive(200), property::one_of(-2098, 2098));
     }));
 }
 
 TEST_CASE("ties, and what is beside them by less than any estimate tells") {
     // For d = k² + e the root is about k + e/(2k), and (p + q√d)/r about m + qe/(2kr) for a number or a middle m.
-    CHECK(rc::check("beside", [] {
-        const int digits = *rc::gen::element(24, 25, 53, 54, 10);
+    CHECK(property::check("beside", [] {
+        const int digits = property::one_of(24, 25, 53, 54, 10);
         const mpz_class m = wide::power(digits - 1) + abs(any_of(digits)) % wide::power(digits - 1);
         const mpz_class k = positive(240), r = positive(200), q = any_of(200);
         const mpz_class p = m * r - q * k;
         const int scale =
-            *rc::gen::element(0, -1074, -1075, -1100, -149, -150, -160, 970, 103) + *rc::gen::inRange(-1, 2);
-        round_both(p, q, k * k + *rc::gen::inRange(-1, 2), r, scale);
-        round_both(-p, -q, k * k + *rc::gen::inRange(-1, 2), r, scale);
+            property::one_of(0, -1074, -1075, -1100, -149, -150, -160, 970, 103) + property::in_range(-1, 2);
+        round_both(p, q, k * k + property::in_range(-1, 2), r, scale);
+        round_both(-p, -q, k * k + property::in_range(-1, 2), r, scale);
     }));
-    CHECK(rc::check("around zero", [] {
+    CHECK(property::check("around zero", [] {
         const mpz_class k = positive(240), q = any_of(200);
-        round_both(-q * k, q, k * k + *rc::gen::inRange(-1, 2), positive(300), *rc::gen::inRange(-900, 900));
+        round_both(-q * k, q, k * k + property::in_range(-1, 2), positive(300), property::in_range(-900, 900));
     }));
-    CHECK(rc::check("where nearly all bits cancel", [] {
+    CHECK(property::check("where nearly all bits cancel", [] {
         const mpz_class k = positive(240), q = any_of(200);
-        round_both(-q * k + *rc::gen::inRange(-2, 3), q, k * k + any_of(120) * (k >= wide::power(130) ? 1 : 0),
-                   positive(300), *rc::gen::inRange(-900, 900));
+        round_both(-q * k + property::in_range(-2, 3), q, k * k + any_of(120) * (k >= wide::power(130) ? 1 : 0),
+                   positive(300), property::in_range(-900, 900));
     }));
 }
 

@@ -1,11 +1,11 @@
 // Shapes with small whole coordinates, so that tangents, ties and degenerate cases are common.
 #pragma once
 
+#include "../property.hpp"
+
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/wall.hpp>
-
-#include <rapidcheck.h>
 
 #include <cstdlib>
 
@@ -14,7 +14,7 @@ namespace draw {
 // RapidCheck tries 100 cases unless RC_PARAMS says otherwise.
 inline const int more_cases = setenv("RC_PARAMS", "max_success=1000", 0);
 
-inline int whole(int from, int to) { return *rc::gen::inRange(from, to + 1); }
+inline int whole(int from, int to) { return property::in_range(from, to + 1); }
 
 template <int N>
 graze::vec<N, int> point(int limit) {
@@ -34,7 +34,7 @@ bool is_zero(const graze::vec<N, int>& x) {
 template <int N>
 graze::vec<N, int> direction(int limit) {
     const auto x = point<N>(limit);
-    RC_PRE(!is_zero(x));
+    PROPERTY_PRE(!is_zero(x));
     return x;
 }
 
@@ -73,7 +73,7 @@ ball_and_wall<N> ball_with_wall() {
             pair.wall.corner[2] = 0;
             pair.ball.velocity[2] *= flat;
         }
-        RC_PRE(!are_parallel(pair.wall.edge[0], pair.wall.edge[1]));
+        PROPERTY_PRE(!are_parallel(pair.wall.edge[0], pair.wall.edge[1]));
     }
     return pair;
 }

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "../oracle/contact.hpp"
+#include "../property.hpp"
 #include "draw.hpp"
 
 #include <graze/solve.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <string>
 
@@ -69,18 +69,18 @@ void check_conservation(const graze::ball<N, T>& a, const graze::ball<N, T>& b, 
     R energy = zero;
     for (int i = 0; i < N; ++i) {
         const R ua(a.velocity[i]), ub(b.velocity[i]);
-        RC_ASSERT(graze::sign(R(ma * (s.velocity_a[i] - ua) + mb * (s.velocity_b[i] - ub))) == 0);
+        PROPERTY_ASSERT(graze::sign(R(ma * (s.velocity_a[i] - ua) + mb * (s.velocity_b[i] - ub))) == 0);
         energy = energy + ma * (s.velocity_a[i] * s.velocity_a[i] - ua * ua) +
                  mb * (s.velocity_b[i] * s.velocity_b[i] - ub * ub);
     }
-    RC_ASSERT(graze::sign(energy) == 0);
+    PROPERTY_ASSERT(graze::sign(energy) == 0);
 }
 
 // The same in another variant or root form, which may write the same time over another root.
 template <int N, class T>
 void same(const graze::ball_solution<N, T>& s, const graze::ball_solution<N, T>& t) {
-    RC_ASSERT(s.what == t.what);
-    RC_ASSERT(graze::sign(T(s.discriminant - t.discriminant)) == 0);
+    PROPERTY_ASSERT(s.what == t.what);
+    PROPERTY_ASSERT(graze::sign(T(s.discriminant - t.discriminant)) == 0);
 }
 
 // Checks everything that is claimed of a pair of balls.
@@ -92,60 +92,60 @@ graze::encounter check(const graze::ball<N, int>& whole_a, const graze::ball<N, 
     const auto b = in<T>(whole_b);
     const auto s = graze::solve(a, b);
     const oracle::answer met = oracle::meet(whole_a, whole_b);
-    RC_ASSERT(s.what == as_library(met.what));
-    RC_ASSERT(has_discriminant(s.discriminant, met.pieces[0]));
+    PROPERTY_ASSERT(s.what == as_library(met.what));
+    PROPERTY_ASSERT(has_discriminant(s.discriminant, met.pieces[0]));
 
     const auto by_textbook = graze::solve<textbook, root_form::stable>(a, b);
     const auto printed = graze::solve<halved, root_form::printed>(a, b);
     same(s, by_textbook);
     same(s, printed);
     const auto q = graze::quadratic_of(graze::relative_motion_of(a, b));
-    RC_ASSERT(graze::sign(T(graze::discriminant_textbook{}(q)-T(4) * graze::discriminant_halved{}(q))) == 0);
+    PROPERTY_ASSERT(graze::sign(T(graze::discriminant_textbook{}(q)-T(4) * graze::discriminant_halved{}(q))) == 0);
 
     if (graze::is_collision(s.what)) {
         const auto c = oracle::contact(whole_a, whole_b, mpq_class(1, whole_a.mass), mpq_class(1, whole_b.mass), met);
-        RC_ASSERT(equal(s.time, c.time));
-        RC_ASSERT(equal(by_textbook.time, c.time));
-        RC_ASSERT(equal(printed.time, c.time));
-        RC_ASSERT(equal(printed.velocity_b, c.velocity_b));
-        RC_ASSERT(equal(s.position_a, c.position_a));
-        RC_ASSERT(equal(s.position_b, c.position_b));
-        RC_ASSERT(equal(s.normal, c.normal));
-        RC_ASSERT(equal(s.velocity_a, c.velocity_a));
-        RC_ASSERT(equal(s.velocity_b, c.velocity_b));
+        PROPERTY_ASSERT(equal(s.time, c.time));
+        PROPERTY_ASSERT(equal(by_textbook.time, c.time));
+        PROPERTY_ASSERT(equal(printed.time, c.time));
+        PROPERTY_ASSERT(equal(printed.velocity_b, c.velocity_b));
+        PROPERTY_ASSERT(equal(s.position_a, c.position_a));
+        PROPERTY_ASSERT(equal(s.position_b, c.position_b));
+        PROPERTY_ASSERT(equal(s.normal, c.normal));
+        PROPERTY_ASSERT(equal(s.velocity_a, c.velocity_a));
+        PROPERTY_ASSERT(equal(s.velocity_b, c.velocity_b));
         check_conservation(a, b, s);
 
         const auto swapped = graze::solve(b, a);
-        RC_ASSERT(swapped.what == s.what);
-        RC_ASSERT(swapped.time == s.time);
-        RC_ASSERT(swapped.normal == -s.normal);
-        RC_ASSERT(swapped.position_a == s.position_b);
-        RC_ASSERT(swapped.velocity_a == s.velocity_b);
-        RC_ASSERT(swapped.velocity_b == s.velocity_a);
+        PROPERTY_ASSERT(swapped.what == s.what);
+        PROPERTY_ASSERT(swapped.time == s.time);
+        PROPERTY_ASSERT(swapped.normal == -s.normal);
+        PROPERTY_ASSERT(swapped.position_a == s.position_b);
+        PROPERTY_ASSERT(swapped.velocity_a == s.velocity_b);
+        PROPERTY_ASSERT(swapped.velocity_b == s.velocity_a);
 
         // If a has an infinite mass, it does not move.
         const auto fixed = graze::solve_with_inverse_masses(a, b, T(0), T(T(1) / b.mass));
         const auto d = oracle::contact(whole_a, whole_b, 0, mpq_class(1, whole_b.mass), met);
-        RC_ASSERT(equal(fixed.velocity_a, d.velocity_a));
-        RC_ASSERT(equal(fixed.velocity_b, d.velocity_b));
+        PROPERTY_ASSERT(equal(fixed.velocity_a, d.velocity_a));
+        PROPERTY_ASSERT(equal(fixed.velocity_b, d.velocity_b));
     }
     return s.what;
 }
 
 template <int N, class T>
 void check_wall_contact(const graze::wall_solution<N, T>& s, const oracle::wall_contact<N>& c) {
-    RC_ASSERT(equal(s.time, c.time));
-    RC_ASSERT(equal(s.position, c.position));
-    RC_ASSERT(equal(s.point, c.point));
-    RC_ASSERT(equal(s.normal, c.normal));
-    RC_ASSERT(equal(s.velocity, c.velocity));
+    PROPERTY_ASSERT(equal(s.time, c.time));
+    PROPERTY_ASSERT(equal(s.position, c.position));
+    PROPERTY_ASSERT(equal(s.point, c.point));
+    PROPERTY_ASSERT(equal(s.normal, c.normal));
+    PROPERTY_ASSERT(equal(s.velocity, c.velocity));
 }
 
 template <class T, int N>
 graze::encounter check(const graze::ball<N, int>& ball, const graze::plane<N, int>& plane) {
     const auto s = graze::solve(in<T>(ball), in<T>(plane));
     const oracle::answer met = oracle::meet(ball, plane);
-    RC_ASSERT(s.what == as_library(met.what));
+    PROPERTY_ASSERT(s.what == as_library(met.what));
     if (graze::is_collision(s.what)) {
         check_wall_contact(s, oracle::contact(ball, plane, met));
     }
@@ -156,15 +156,15 @@ template <class T, int N>
 graze::wall_solution<N, T> check(const graze::ball<N, int>& ball, const graze::wall<N, int>& wall) {
     const auto s = graze::solve(in<T>(ball), in<T>(wall));
     const oracle::answer met = oracle::meet(ball, wall);
-    RC_ASSERT(s.what == as_library(met.what));
+    PROPERTY_ASSERT(s.what == as_library(met.what));
     if (s.what != graze::encounter::miss) {
-        RC_ASSERT(s.where == static_cast<graze::feature>(met.where()));
-        RC_ASSERT(met.has(met.where(), s.index));
+        PROPERTY_ASSERT(s.where == static_cast<graze::feature>(met.where()));
+        PROPERTY_ASSERT(met.has(met.where(), s.index));
     }
     if (graze::is_collision(s.what)) {
         check_wall_contact(s, oracle::contact(ball, wall, met, met.where(), s.index));
         if (s.where != graze::feature::face) {
-            RC_ASSERT(has_discriminant(s.discriminant, met.piece_of(met.where(), s.index)));
+            PROPERTY_ASSERT(has_discriminant(s.discriminant, met.piece_of(met.where(), s.index)));
         }
     }
     return s;
@@ -174,15 +174,15 @@ graze::wall_solution<N, T> check(const graze::ball<N, int>& ball, const graze::w
 template <class T>
 void check_all() {
     static_assert(graze::exact_number<T> && graze::field_number<T>);
-    CHECK(rc::check("two balls in the plane", [] { check<T>(draw::ball<2>(), draw::ball<2>()); }));
-    CHECK(rc::check("two balls in space", [] { check<T>(draw::ball<3>(), draw::ball<3>()); }));
-    CHECK(rc::check("ball and line", [] { check<T>(draw::ball<2>(), draw::plane<2>()); }));
-    CHECK(rc::check("ball and plane", [] { check<T>(draw::ball<3>(), draw::plane<3>()); }));
-    CHECK(rc::check("ball and segment", [] {
+    CHECK(property::check("two balls in the plane", [] { check<T>(draw::ball<2>(), draw::ball<2>()); }));
+    CHECK(property::check("two balls in space", [] { check<T>(draw::ball<3>(), draw::ball<3>()); }));
+    CHECK(property::check("ball and line", [] { check<T>(draw::ball<2>(), draw::plane<2>()); }));
+    CHECK(property::check("ball and plane", [] { check<T>(draw::ball<3>(), draw::plane<3>()); }));
+    CHECK(property::check("ball and segment", [] {
         const auto pair = draw::ball_with_wall<2>();
         check<T>(pair.ball, pair.wall);
     }));
-    CHECK(rc::check("ball and parallelogram", [] {
+    CHECK(property::check("ball and parallelogram", [] {
         const auto pair = draw::ball_with_wall<3>();
         check<T>(pair.ball, pair.wall);
     }));

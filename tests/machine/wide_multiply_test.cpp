@@ -17,8 +17,8 @@ mpz_class value(const two_limbs& x) { return (from_unsigned(x.high) << 64) + fro
 
 void check_pair(std::uint64_t x, std::uint64_t y) {
     const mpz_class product = from_unsigned(x) * from_unsigned(y);
-    RC_ASSERT(value(graze::detail::multiply_portable(x, y)) == product);
-    RC_ASSERT(value(graze::detail::multiply(x, y)) == product);
+    PROPERTY_ASSERT(value(graze::detail::multiply_portable(x, y)) == product);
+    PROPERTY_ASSERT(value(graze::detail::multiply(x, y)) == product);
 }
 
 constexpr auto most = std::numeric_limits<std::uint64_t>::max();
@@ -32,32 +32,32 @@ static_assert(graze::detail::multiply_add_balanced(least, least, least, least).h
 } // namespace
 
 TEST_CASE("Products of two words") {
-    CHECK(rc::check([] { check_pair(wide::any_word(), wide::any_word()); }));
-    CHECK(rc::check([] {
+    CHECK(property::check([] { check_pair(wide::any_word(), wide::any_word()); }));
+    CHECK(property::check([] {
         const std::uint64_t x = wide::any_word(), y = wide::any_word(), addend = wide::any_word(),
                             carry = wide::any_word();
-        RC_ASSERT(value(graze::detail::multiply_add(x, y, addend, carry)) ==
-                  from_unsigned(x) * from_unsigned(y) + from_unsigned(addend) + from_unsigned(carry));
+        PROPERTY_ASSERT(value(graze::detail::multiply_add(x, y, addend, carry)) ==
+                        from_unsigned(x) * from_unsigned(y) + from_unsigned(addend) + from_unsigned(carry));
     }));
 }
 
 TEST_CASE("Sums of two words and a carry") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const std::uint64_t x = wide::any_word(), y = wide::any_word();
-        const std::uint64_t before = *rc::gen::inRange<std::uint64_t>(0, 2);
+        const std::uint64_t before = property::in_range<std::uint64_t>(0, 2);
         std::uint64_t carry = before;
         const std::uint64_t sum = graze::detail::add_with_carry(x, y, carry);
-        RC_ASSERT(carry <= 1U);
-        RC_ASSERT(value({sum, carry}) == from_unsigned(x) + from_unsigned(y) + from_unsigned(before));
+        PROPERTY_ASSERT(carry <= 1U);
+        PROPERTY_ASSERT(value({sum, carry}) == from_unsigned(x) + from_unsigned(y) + from_unsigned(before));
     }));
 }
 
 TEST_CASE("Signed products with a balanced low word") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto any = [] { return static_cast<std::int64_t>(wide::any_word()); };
         const std::int64_t x = any(), y = any(), addend = any(), carry = any();
         const auto sum = graze::detail::multiply_add_balanced(x, y, addend, carry);
-        RC_ASSERT((from_signed(sum.high) << 64) + from_signed(sum.low) ==
-                  from_signed(x) * from_signed(y) + from_signed(addend) + from_signed(carry));
+        PROPERTY_ASSERT((from_signed(sum.high) << 64) + from_signed(sum.low) ==
+                        from_signed(x) * from_signed(y) + from_signed(addend) + from_signed(carry));
     }));
 }

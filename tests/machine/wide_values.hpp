@@ -1,9 +1,9 @@
 // Integers for tests: limbs of zeros and ones, borders of limbs, neighbours of powers of two; and the same in GMP.
 #pragma once
 
-#include <gmpxx.h>
+#include "../property.hpp"
 
-#include <rapidcheck.h>
+#include <gmpxx.h>
 
 #include <bit>
 #include <cstdint>
@@ -28,29 +28,29 @@ inline std::uint64_t low_word(const mpz_class& x) {
 }
 
 inline std::uint64_t any_word() {
-    switch (*rc::gen::inRange(0, 5)) {
+    switch (property::in_range(0, 5)) {
     case 0:
         return 0;
     case 1:
         return ~std::uint64_t{0};
     case 2:
-        return std::uint64_t{1} << *rc::gen::inRange(0, 64);
+        return std::uint64_t{1} << property::in_range(0, 64);
     case 3:
-        return (std::uint64_t{1} << *rc::gen::inRange(0, 64)) - 1;
+        return (std::uint64_t{1} << property::in_range(0, 64)) - 1;
     default:
-        return *rc::gen::arbitrary<std::uint64_t>();
+        return property::any<std::uint64_t>();
     }
 }
 
 // |x| < 2^bits, often at the ends of that range and near powers of two.
 inline mpz_class any(int bits) {
     mpz_class x;
-    switch (*rc::gen::inRange(0, 4)) {
+    switch (property::in_range(0, 4)) {
     case 0:
         x = power(bits) - 1;
         break;
     case 1:
-        x = power(*rc::gen::inRange(0, bits)) + *rc::gen::inRange(-1, 2);
+        x = power(property::in_range(0, bits)) + property::in_range(-1, 2);
         break;
     default:
         for (int i = 0; i < bits; i += 64) {
@@ -58,7 +58,7 @@ inline mpz_class any(int bits) {
         }
     }
     x %= power(bits);
-    return *rc::gen::arbitrary<bool>() ? mpz_class(-x) : x;
+    return property::any<bool>() ? mpz_class(-x) : x;
 }
 
 template <class X>

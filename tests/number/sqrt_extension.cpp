@@ -1,9 +1,10 @@
 // p + q√d, compared with MPFR. For whole p, q, d it is 0 or at least 1/(|p| + |q|√d), so enough digits decide its sign.
+#include "../property.hpp"
+
 #include <graze/number/adapter/gmp.hpp>
 #include <graze/number/sqrt_extension.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <mpfr.h>
 
@@ -39,54 +40,54 @@ class real {
     mpfr_t x_;
 };
 
-int whole(int limit) { return *rc::gen::inRange(-limit, limit + 1); }
+int whole(int limit) { return property::in_range(-limit, limit + 1); }
 
 // Small numbers make zeros and rational roots frequent; large ones with p² near q²d make near zeros.
 extension draw(int d) { return {gmp_rational(whole(12)), gmp_rational(whole(4)), gmp_rational(d)}; }
-int draw_radicand() { return *rc::gen::element(0, 1, 2, 3, 4, 5, 7, 9, 16, 18, 100); }
+int draw_radicand() { return property::one_of(0, 1, 2, 3, 4, 5, 7, 9, 16, 18, 100); }
 
 } // namespace
 
 TEST_CASE("the sign of p + q√d") {
-    CHECK(rc::check("small numbers", [] {
+    CHECK(property::check("small numbers", [] {
         const extension x = draw(draw_radicand());
-        RC_ASSERT(x.sign() == real(x).sign());
+        PROPERTY_ASSERT(x.sign() == real(x).sign());
     }));
-    CHECK(rc::check("p² beside q²d", [] {
-        const auto q = *rc::gen::inRange<long>(1, 1L << 40);
-        const auto d = *rc::gen::inRange<long>(1, 1L << 20);
+    CHECK(property::check("p² beside q²d", [] {
+        const auto q = property::in_range<long>(1, 1L << 40);
+        const auto d = property::in_range<long>(1, 1L << 20);
         const mpz_class square = mpz_class(q) * q * d;
         const mpz_class p = sqrt(square) + whole(1);
-        const int side = *rc::gen::element(-1, 1);
+        const int side = property::one_of(-1, 1);
         const gmp_rational first(mpq_class(side * p)), second(mpq_class(-side * mpz_class(q)));
         const extension x(first, second, gmp_rational(mpq_class(d)));
-        RC_ASSERT(x.sign() == real(x).sign());
-        RC_ASSERT(graze::sign_of_root_sum(x.p(), x.q(), x.d()) == real(x).sign());
+        PROPERTY_ASSERT(x.sign() == real(x).sign());
+        PROPERTY_ASSERT(graze::sign_of_root_sum(x.p(), x.q(), x.d()) == real(x).sign());
     }));
 }
 
 TEST_CASE("a sqrt_extension is an ordered field") {
-    CHECK(rc::check("laws", [] {
+    CHECK(property::check("laws", [] {
         const int d = draw_radicand();
         const extension x = draw(d), y = draw(d), z = draw(d);
-        RC_ASSERT((x + y) + z == x + (y + z));
-        RC_ASSERT(x * y == y * x);
-        RC_ASSERT((x * y) * z == x * (y * z));
-        RC_ASSERT(x * (y + z) == x * y + x * z);
-        RC_ASSERT(x - y == -(y - x));
+        PROPERTY_ASSERT((x + y) + z == x + (y + z));
+        PROPERTY_ASSERT(x * y == y * x);
+        PROPERTY_ASSERT((x * y) * z == x * (y * z));
+        PROPERTY_ASSERT(x * (y + z) == x * y + x * z);
+        PROPERTY_ASSERT(x - y == -(y - x));
         if (y.sign() != 0) {
-            RC_ASSERT((x / y) * y == x);
+            PROPERTY_ASSERT((x / y) * y == x);
         }
-        RC_ASSERT(graze::sign(x * y) == x.sign() * y.sign());
-        RC_ASSERT(((x <=> y) == 0) == ((real(x) - real(y)).sign() == 0));
-        RC_ASSERT((x < y) == ((real(x) - real(y)).sign() < 0));
-        RC_ASSERT((x < y) == (x + z < y + z));
+        PROPERTY_ASSERT(graze::sign(x * y) == x.sign() * y.sign());
+        PROPERTY_ASSERT(((x <=> y) == 0) == ((real(x) - real(y)).sign() == 0));
+        PROPERTY_ASSERT((x < y) == ((real(x) - real(y)).sign() < 0));
+        PROPERTY_ASSERT((x < y) == (x + z < y + z));
     }));
-    CHECK(rc::check("its root is a root", [] {
-        const gmp_rational d(*rc::gen::inRange(0, 50));
+    CHECK(property::check("its root is a root", [] {
+        const gmp_rational d(property::in_range(0, 50));
         const extension r = graze::root(d);
-        RC_ASSERT(r.sign() >= 0);
-        RC_ASSERT(r * r == extension(d));
+        PROPERTY_ASSERT(r.sign() >= 0);
+        PROPERTY_ASSERT(r * r == extension(d));
     }));
 }
 

@@ -1,11 +1,11 @@
 // A bad number is named and never yields an answer, whatever the other numbers are.
+#include "../property.hpp"
 #include "answers.hpp"
 #include "faults.hpp"
 
 #include <graze/checked.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <array>
 #include <bit>
@@ -143,12 +143,12 @@ void check_parallel_edges() {
 // A number of any kind, including bad ones.
 double any_number() {
     using limits = std::numeric_limits<double>;
-    const int which = *rc::gen::inRange(0, 30);
+    const int which = property::in_range(0, 30);
     if (which == 0) {
-        return *rc::gen::element(limits::quiet_NaN(), limits::infinity(), -limits::infinity(), limits::max(),
-                                 limits::lowest(), limits::denorm_min(), -0.0);
+        return property::one_of(limits::quiet_NaN(), limits::infinity(), -limits::infinity(), limits::max(),
+                                limits::lowest(), limits::denorm_min(), -0.0);
     }
-    return which < 5 ? std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>()) : *rc::gen::inRange(-2, 10);
+    return which < 5 ? std::bit_cast<double>(property::any<std::uint64_t>()) : property::in_range(-2, 10);
 }
 template <int N>
 graze::vec<N, double> any_vector() {
@@ -163,24 +163,24 @@ template <class A, class B>
 void check_told(const A& a, const B& b) {
     const faults::list all = faults::of(a, b);
     auto decided_by = graze::stage::filter;
-    RC_CLASSIFY(!all.empty(), "bad");
-    RC_ASSERT(faults::told(all, [&] { (void)answers::encounter_of(a, b, decided_by); }));
-    RC_ASSERT(faults::told(all, [&] { (void)answers::overlap_of(a, b, decided_by); }));
-    RC_ASSERT(faults::told(all, [&] { (void)answers::time_of(a, b); }));
+    property::tag_if(!all.empty(), "bad");
+    PROPERTY_ASSERT(faults::told(all, [&] { (void)answers::encounter_of(a, b, decided_by); }));
+    PROPERTY_ASSERT(faults::told(all, [&] { (void)answers::overlap_of(a, b, decided_by); }));
+    PROPERTY_ASSERT(faults::told(all, [&] { (void)answers::time_of(a, b); }));
     const std::string thrown = faults::thrown_by([&] { (void)answers::encounter_of(a, b, decided_by); });
-    RC_ASSERT(told_without_exceptions(a, b) == thrown);
+    PROPERTY_ASSERT(told_without_exceptions(a, b) == thrown);
     if (all.empty()) {
-        RC_ASSERT(*graze::try_classify(a, b) == answers::encounter_of(a, b, decided_by));
+        PROPERTY_ASSERT(*graze::try_classify(a, b) == answers::encounter_of(a, b, decided_by));
     }
 }
 
 template <int N>
 void check_any() {
-    CHECK(rc::check("two balls", [] { check_told(any_ball<N>(), any_ball<N>()); }));
-    CHECK(rc::check("a ball and a plane", [] {
+    CHECK(property::check("two balls", [] { check_told(any_ball<N>(), any_ball<N>()); }));
+    CHECK(property::check("a ball and a plane", [] {
         check_told(any_ball<N>(), graze::plane<N, double>{any_vector<N>(), any_vector<N>()});
     }));
-    CHECK(rc::check("a ball and a wall", [] {
+    CHECK(property::check("a ball and a wall", [] {
         graze::wall<N, double> w{any_vector<N>(), {}};
         for (auto& e : w.edge) {
             e = any_vector<N>();

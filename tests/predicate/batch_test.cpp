@@ -1,11 +1,11 @@
 // A batch gives the same answer about every pair as the scalar functions, in whatever form the balls are given. For
 // some of the pairs the oracle is asked, too.
 #include "../oracle/encounter.hpp"
+#include "../property.hpp"
 #include "../soak/more_families.hpp"
 #include "batch_pairs.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <memory>
@@ -288,13 +288,13 @@ TEST_CASE("A part of columns is within them") {
 }
 
 TEST_CASE("Laws of batches") {
-    CHECK(rc::check("14. Permutation: a permutation of the pairs permutes the answers", [] {
-        const auto p = batches::draw<3, float>(*rc::gen::arbitrary<std::uint64_t>(),
-                                               *rc::gen::inRange<std::size_t>(1, 600), 32, batches::units::any);
+    CHECK(property::check("14. Permutation: a permutation of the pairs permutes the answers", [] {
+        const auto p = batches::draw<3, float>(property::any<std::uint64_t>(), property::in_range<std::size_t>(1, 600),
+                                               32, batches::units::any);
         const std::size_t size = p.a.all().size();
         std::vector<std::size_t> order(size);
         std::iota(order.begin(), order.end(), std::size_t{0});
-        families::random random(*rc::gen::arbitrary<std::uint64_t>());
+        families::random random(property::any<std::uint64_t>());
         for (std::size_t i = size; i > 1; --i) {
             std::swap(order[i - 1], order[random.below(i)]);
         }
@@ -306,22 +306,22 @@ TEST_CASE("Laws of batches") {
         const auto before = classified(p.a.columns(), p.b.columns(), size);
         const auto after = classified(q.a.columns(), q.b.columns(), size);
         for (std::size_t i = 0; i < size; ++i) {
-            RC_ASSERT(after[i] == before[order[i]]);
+            PROPERTY_ASSERT(after[i] == before[order[i]]);
         }
     }));
-    CHECK(rc::check("15. Parts: the answers of a part are that part of the answers", [] {
-        const auto p = batches::draw<2, double>(*rc::gen::arbitrary<std::uint64_t>(),
-                                                *rc::gen::inRange<std::size_t>(1, 600), 32, batches::units::own);
+    CHECK(property::check("15. Parts: the answers of a part are that part of the answers", [] {
+        const auto p = batches::draw<2, double>(property::any<std::uint64_t>(), property::in_range<std::size_t>(1, 600),
+                                                32, batches::units::own);
         const std::size_t size = p.a.all().size();
-        const auto first = *rc::gen::inRange<std::size_t>(0, size);
-        const auto count = *rc::gen::inRange<std::size_t>(0, size - first);
+        const auto first = property::in_range<std::size_t>(0, size);
+        const auto count = property::in_range<std::size_t>(0, size - first);
         auto what = classified(p.a.all(), p.b.all(), size);
         const auto whole = what;
         std::fill(what.begin() + static_cast<std::ptrdiff_t>(first),
                   what.begin() + static_cast<std::ptrdiff_t>(first + count), encounter{-1});
         graze::batch::classify(p.a.columns().part(first, count), std::span(p.b.all()).subspan(first, count),
                                std::span(what).subspan(first, count));
-        RC_ASSERT(what == whole);
+        PROPERTY_ASSERT(what == whole);
     }));
 }
 

@@ -1,4 +1,5 @@
 // Flights, compared with the oracle, which moves them as rationals: decisions, times, their order, the laws.
+#include "../property.hpp"
 #include "flight_answers.hpp"
 #include "flight_families.hpp"
 #include "transform.hpp"
@@ -6,7 +7,6 @@
 #include "../oracle/rounding.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <cstdint>
 #include <map>
@@ -44,13 +44,13 @@ bool is_right(const graze::flight<N, T>& a, const B& b) {
 
 template <int N>
 flight_families::pair<N> any() {
-    const auto which = *rc::gen::inRange<unsigned>(0, 5);
-    const auto index = *rc::gen::arbitrary<std::uint64_t>();
+    const auto which = property::in_range<unsigned>(0, 5);
+    const auto index = property::any<std::uint64_t>();
     return flight_families::draw<N>(which, 5, index % (1U << 20U));
 }
 template <int N>
 graze::plane<N> any_plane() {
-    const auto index = *rc::gen::arbitrary<std::uint64_t>();
+    const auto index = property::any<std::uint64_t>();
     families::random r(9, index);
     graze::plane<N> p{};
     for (int i = 0; i < N; ++i) {
@@ -115,12 +115,12 @@ bool same(const flight_answers::answer<N, double, graze::contact<N>>& x,
 template <int N>
 void check_laws(const flight<N>& a, const flight<N>& b) {
     const auto answer = flight_answers::of(a, b);
-    RC_ASSERT(same<N>(flight_answers::of(b, a), answer));
+    PROPERTY_ASSERT(same<N>(flight_answers::of(b, a), answer));
     const auto permuted = [](const auto& x) { return transform::permuted(x, 1); };
-    RC_ASSERT(same<N>(flight_answers::of(changed(a, permuted), changed(b, permuted)), answer));
+    PROPERTY_ASSERT(same<N>(flight_answers::of(changed(a, permuted), changed(b, permuted)), answer));
     const auto reflected = [](const auto& x) { return transform::reflected(x, 5); };
-    RC_ASSERT(same<N>(flight_answers::of(changed(a, reflected), changed(b, reflected)), answer));
-    RC_ASSERT(answer.time.has_value() == graze::is_collision(answer.what));
+    PROPERTY_ASSERT(same<N>(flight_answers::of(changed(a, reflected), changed(b, reflected)), answer));
+    PROPERTY_ASSERT(answer.time.has_value() == graze::is_collision(answer.what));
 }
 
 template <int N>
@@ -146,7 +146,7 @@ TEST_CASE("Flights do what the oracle says") {
     std::map<graze::encounter, int> seen;
     std::map<stage, int> decided;
     const auto look = [&](const auto& p) {
-        RC_ASSERT(is_right(p.a, p.b));
+        PROPERTY_ASSERT(is_right(p.a, p.b));
         const auto found = flight_answers::of(p.a, p.b);
         ++seen[found.what];
         ++decided[found.decided_by];
@@ -156,8 +156,8 @@ TEST_CASE("Flights do what the oracle says") {
             look(draw());
         }
     };
-    CHECK(rc::check([&] { look_at_three([] { return any<2>(); }); }));
-    CHECK(rc::check([&] { look_at_three([] { return any<3>(); }); }));
+    CHECK(property::check([&] { look_at_three([] { return any<2>(); }); }));
+    CHECK(property::check([&] { look_at_three([] { return any<3>(); }); }));
     for (const auto what : {graze::encounter::overlap, graze::encounter::recede, graze::encounter::miss,
                             graze::encounter::graze, graze::encounter::hit}) {
         CAPTURE(to_string(what));
@@ -168,20 +168,20 @@ TEST_CASE("Flights do what the oracle says") {
 }
 
 TEST_CASE("A flight does to planes and walls what the oracle says") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto f = any<2>().a;
-        RC_ASSERT(is_right(f, any_plane<2>()));
-        RC_ASSERT(is_right(f, any_wall<2>()));
+        PROPERTY_ASSERT(is_right(f, any_plane<2>()));
+        PROPERTY_ASSERT(is_right(f, any_wall<2>()));
     }));
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto f = any<3>().b;
-        RC_ASSERT(is_right(f, any_plane<3>()));
-        RC_ASSERT(is_right(f, any_wall<3>()));
+        PROPERTY_ASSERT(is_right(f, any_plane<3>()));
+        PROPERTY_ASSERT(is_right(f, any_wall<3>()));
     }));
 }
 
 TEST_CASE("Floats fly as doubles do") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto p = any<2>();
         const auto narrow = [](const flight<2>& f) {
             const auto number = [](double x) { return static_cast<float>(x); };
@@ -198,14 +198,14 @@ TEST_CASE("Floats fly as doubles do") {
                    std::isfinite(f.state.velocity[0]) && std::isfinite(f.state.velocity[1]) &&
                    std::isfinite(f.state.radius) && f.state.mass > 0 && std::isfinite(f.since);
         };
-        RC_PRE(is_finite(a) && is_finite(b) && !(std::isinf(a.state.mass) && std::isinf(b.state.mass)));
-        RC_ASSERT(is_right(a, b));
+        PROPERTY_PRE(is_finite(a) && is_finite(b) && !(std::isinf(a.state.mass) && std::isinf(b.state.mass)));
+        PROPERTY_ASSERT(is_right(a, b));
     }));
 }
 
 TEST_CASE("Times of different epochs and kinds are in their exact order") {
     int ties = 0, exact = 0;
-    const bool right = rc::check([&] {
+    const bool right = property::check([&] {
         std::vector<event<2>> flat;
         std::vector<event<3>> solid;
         for (int i = 0; i < 6; ++i) {
@@ -217,8 +217,8 @@ TEST_CASE("Times of different epochs and kinds are in their exact order") {
             add(solid, q.a, q.b);
             add(solid, q.a, any_wall<3>());
         }
-        RC_ASSERT(are_in_order(flat, ties, exact));
-        RC_ASSERT(are_in_order(solid, ties, exact));
+        PROPERTY_ASSERT(are_in_order(flat, ties, exact));
+        PROPERTY_ASSERT(are_in_order(solid, ties, exact));
     });
     CHECK(right);
     CHECK(exact > 0);
@@ -226,35 +226,35 @@ TEST_CASE("Times of different epochs and kinds are in their exact order") {
 }
 
 TEST_CASE("The answer does not depend on axes, on the order of arguments or on units") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto p = any<2>();
         check_laws(p.a, p.b);
         const auto q = any<3>();
         check_laws(q.a, q.b);
     }));
-    CHECK(rc::check([] { // of numbers that leave room
-        const auto index = *rc::gen::arbitrary<std::uint64_t>();
+    CHECK(property::check([] { // of numbers that leave room
+        const auto index = property::any<std::uint64_t>();
         const auto p = flight_families::draw<3>(static_cast<unsigned>(index % 3), 6, index);
-        RC_ASSERT(scaled_alike(p.a, p.b, *rc::gen::inRange(-300, 300), *rc::gen::inRange(-100, 100)));
+        PROPERTY_ASSERT(scaled_alike(p.a, p.b, property::in_range(-300, 300), property::in_range(-100, 100)));
     }));
 }
 
 TEST_CASE("Law 13: the answer does not depend on when the clock was set") {
     int shifted = 0;
-    CHECK(rc::check([&] {
-        const auto index = *rc::gen::arbitrary<std::uint64_t>();
+    CHECK(property::check([&] {
+        const auto index = property::any<std::uint64_t>();
         const auto p = flight_families::draw<3>(static_cast<unsigned>(index % 2), 8, index);
-        const double shift = std::ldexp(static_cast<double>(*rc::gen::inRange(-1000, 1000)), -4);
+        const double shift = std::ldexp(static_cast<double>(property::in_range(-1000, 1000)), -4);
         auto a = p.a, b = p.b;
         a.since += shift;
         b.since += shift;
         const auto before = flight_answers::of(p.a, p.b);
         const auto after = flight_answers::of(a, b);
-        RC_ASSERT(before.what == after.what);
+        PROPERTY_ASSERT(before.what == after.what);
         if (before.time) {
             ++shifted;
             const auto expected = *oracle::meet(p.a, p.b).time + oracle::rational(mpq_class(shift));
-            RC_ASSERT(oracle::is_rounded(expected, flight_answers::rounded(*after.time).nearest));
+            PROPERTY_ASSERT(oracle::is_rounded(expected, flight_answers::rounded(*after.time).nearest));
         }
     }));
     CHECK(shifted > 10);
@@ -263,8 +263,8 @@ TEST_CASE("Law 13: the answer does not depend on when the clock was set") {
 TEST_CASE("A flight equals itself seen from a later start") {
     // The same motion given at another epoch, moved exactly, so that every time is a tie.
     int ties = 0, moved_on = 0;
-    CHECK(rc::check([&] {
-        const auto index = *rc::gen::arbitrary<std::uint64_t>();
+    CHECK(property::check([&] {
+        const auto index = property::any<std::uint64_t>();
         const auto p = flight_families::draw<2>(0, 12, index);
         auto later = p.a;
         later.since += 4;
@@ -276,7 +276,7 @@ TEST_CASE("A flight equals itself seen from a later start") {
         if (x.time && y.time && later.since <= flight_answers::rounded(*x.time).lower) {
             ++moved_on;
             auto told = stage::filter;
-            RC_ASSERT(flight_answers::order_of(*x.time, *y.time, told) == 0);
+            PROPERTY_ASSERT(flight_answers::order_of(*x.time, *y.time, told) == 0);
             ties += told == stage::exact ? 1 : 0;
         }
     }));

@@ -1,10 +1,9 @@
 // The laws, which hold for every pair and every answer.
 #pragma once
 
+#include "../property.hpp"
 #include "answers.hpp"
 #include "transform.hpp"
-
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +16,10 @@ namespace laws {
 template <class A, class B>
 void axes(const A& a, const B& b, bool mirror = true) {
     const auto answer = answers::of(a, b);
-    RC_ASSERT(answers::of(transform::permuted(a, 1), transform::permuted(b, 1)) == answer);
+    PROPERTY_ASSERT(answers::of(transform::permuted(a, 1), transform::permuted(b, 1)) == answer);
     if (mirror) {
-        const unsigned which = *rc::gen::inRange(1U, 8U);
-        RC_ASSERT(answers::of(transform::reflected(a, which), transform::reflected(b, which)) == answer);
+        const unsigned which = property::in_range(1U, 8U);
+        PROPERTY_ASSERT(answers::of(transform::reflected(a, which), transform::reflected(b, which)) == answer);
     }
 }
 
@@ -41,23 +40,23 @@ bool add_exactly(graze::vec<N, double>& x, const graze::vec<N, double>& y) {
 // or drawn from the other end.
 template <int N, class T>
 void presentation(const graze::ball<N, T>& a, const graze::ball<N, T>& b) {
-    RC_ASSERT(answers::of(a, b) == answers::of(b, a));
+    PROPERTY_ASSERT(answers::of(a, b) == answers::of(b, a));
 }
 template <int N, class T>
 void presentation(const graze::ball<N, T>& a, graze::plane<N, T> p) {
     const auto answer = answers::of(a, p);
     p.normal = -p.normal;
-    RC_ASSERT(answers::of(a, p) == answer);
+    PROPERTY_ASSERT(answers::of(a, p) == answer);
 }
 template <int N, class T>
 void presentation(const graze::ball<N, T>& a, graze::wall<N, T> w) {
     const auto answer = answers::of(a, w);
     std::swap(w.edge.front(), w.edge.back());
-    RC_ASSERT(answers::of(a, w) == answer);
+    PROPERTY_ASSERT(answers::of(a, w) == answer);
     if constexpr (std::is_same_v<T, double>) {
         if (add_exactly(w.corner, w.edge[0])) {
             w.edge[0] = -w.edge[0];
-            RC_ASSERT(answers::of(a, w) == answer);
+            PROPERTY_ASSERT(answers::of(a, w) == answer);
         }
     }
 }
@@ -67,11 +66,11 @@ template <class T>
 void presentation(const graze::ball<3, T>& a, graze::triangle<T> t) {
     const auto answer = answers::of(a, t);
     std::swap(t.edge[0], t.edge[1]);
-    RC_ASSERT(answers::of(a, t) == answer);
+    PROPERTY_ASSERT(answers::of(a, t) == answer);
     graze::vec<3, T> third = t.edge[1];
     if (add_exactly(t.corner, t.edge[0]) && add_exactly(third, -t.edge[0])) {
         t.edge = {third, -t.edge[0]};
-        RC_ASSERT(answers::of(a, t) == answer);
+        PROPERTY_ASSERT(answers::of(a, t) == answer);
     }
 }
 
@@ -81,7 +80,7 @@ inline bool scales(double x, int power) { return x == 0 || std::ldexp(std::ldexp
 // 3. Lengths, velocities and normals may be scaled by a power of two each: the encounter stays and times scale.
 template <class A, class B>
 void scaling(const A& a, const B& b) {
-    const int power[3] = {*rc::gen::inRange(-300, 301), *rc::gen::inRange(-300, 301), *rc::gen::inRange(-300, 301)};
+    const int power[3] = {property::in_range(-300, 301), property::in_range(-300, 301), property::in_range(-300, 301)};
     bool exact = true;
     const auto times = [&](double x, int kind) {
         exact = exact && scales(x, power[kind]);
@@ -94,14 +93,14 @@ void scaling(const A& a, const B& b) {
     }
     const auto answer = answers::of(a, b);
     const auto scaled = answers::of(scaled_a, scaled_b);
-    RC_ASSERT(scaled.what == answer.what);
-    RC_ASSERT(scaled.overlaps == answer.overlaps);
-    RC_ASSERT(scaled.time.has_value() == answer.time.has_value());
+    PROPERTY_ASSERT(scaled.what == answer.what);
+    PROPERTY_ASSERT(scaled.overlaps == answer.overlaps);
+    PROPERTY_ASSERT(scaled.time.has_value() == answer.time.has_value());
     if (answer.time) {
         const double m = oracle::nearest_double(*oracle::meet(a, b).time);
         const int unit = power[0] - power[1];
         if (std::isfinite(m) && scales(m, unit)) {
-            RC_ASSERT(answers::order_of(*scaled.time, std::ldexp(m, unit)) == answers::order_of(*answer.time, m));
+            PROPERTY_ASSERT(answers::order_of(*scaled.time, std::ldexp(m, unit)) == answers::order_of(*answer.time, m));
         }
     }
 }
@@ -113,7 +112,7 @@ bool common_velocity(graze::ball<N, double> a, graze::ball<N, double> b, const g
     if (!add_exactly(a.velocity, v) || !add_exactly(b.velocity, v)) {
         return false;
     }
-    RC_ASSERT(answers::of(a, b) == answer);
+    PROPERTY_ASSERT(answers::of(a, b) == answer);
     return true;
 }
 template <int N>
@@ -122,7 +121,7 @@ bool common_position(graze::ball<N, double> a, graze::ball<N, double> b, const g
     if (!add_exactly(a.position, x) || !add_exactly(b.position, x)) {
         return false;
     }
-    RC_ASSERT(answers::of(a, b) == answer);
+    PROPERTY_ASSERT(answers::of(a, b) == answer);
     return true;
 }
 
@@ -134,9 +133,9 @@ void order(const std::optional<graze::impact_time<N, double>>& x, const std::opt
     if (x && y && z) {
         const int xy = answers::order_of(*x, *y);
         const int yz = answers::order_of(*y, *z);
-        RC_ASSERT(xy == -answers::order_of(*y, *x));
-        RC_ASSERT(answers::order_of(*x, *x) == 0);
-        RC_ASSERT(xy > 0 || yz > 0 || answers::order_of(*x, *z) == std::min(xy, yz));
+        PROPERTY_ASSERT(xy == -answers::order_of(*y, *x));
+        PROPERTY_ASSERT(answers::order_of(*x, *x) == 0);
+        PROPERTY_ASSERT(xy > 0 || yz > 0 || answers::order_of(*x, *z) == std::min(xy, yz));
     }
 }
 
@@ -144,15 +143,15 @@ void order(const std::optional<graze::impact_time<N, double>>& x, const std::opt
 template <class A, class B>
 void collisions_have_times(const A& a, const B& b) {
     const auto answer = answers::of(a, b);
-    RC_ASSERT(answer.time.has_value() == graze::is_collision(answer.what));
-    RC_ASSERT(answer.what != graze::encounter::overlap || answers::order_of(*answer.time, 0.0) == 0);
+    PROPERTY_ASSERT(answer.time.has_value() == graze::is_collision(answer.what));
+    PROPERTY_ASSERT(answer.what != graze::encounter::overlap || answers::order_of(*answer.time, 0.0) == 0);
 }
 
 // 7. A plane is never missed and never grazed.
 template <int N, class T>
 void planes_are_met(const graze::ball<N, T>& a, const graze::plane<N, T>& p) {
     const auto what = answers::of(a, p).what;
-    RC_ASSERT(what != graze::encounter::miss && what != graze::encounter::graze);
+    PROPERTY_ASSERT(what != graze::encounter::miss && what != graze::encounter::graze);
 }
 
 // 8. A wall is met no earlier than its plane, if both are met. In the plane, where normals are doubles.
@@ -160,18 +159,18 @@ inline void walls_lie_in_planes(const graze::ball<2, double>& a, const graze::wa
     const graze::plane<2, double> p{w.corner, {-w.edge[0][1], w.edge[0][0]}};
     const auto wall = answers::of(a, w);
     const auto plane = answers::of(a, p);
-    RC_ASSERT(!wall.time || !plane.time || answers::order_of(*plane.time, *wall.time) <= 0);
+    PROPERTY_ASSERT(!wall.time || !plane.time || answers::order_of(*plane.time, *wall.time) <= 0);
 }
 
 // 9. A larger ball is met no later.
 template <int N>
 void larger_is_earlier(graze::ball<N, double> a, const graze::ball<N, double>& b) {
     const auto answer = answers::of(a, b);
-    a.radius = *rc::gen::element(std::nextafter(a.radius, std::numeric_limits<double>::infinity()), a.radius * 1.5);
+    a.radius = property::one_of(std::nextafter(a.radius, std::numeric_limits<double>::infinity()), a.radius * 1.5);
     if (answer.time && std::isfinite(a.radius)) {
         const auto larger = answers::of(a, b);
-        RC_ASSERT(larger.time.has_value());
-        RC_ASSERT(answers::order_of(*larger.time, *answer.time) <= 0);
+        PROPERTY_ASSERT(larger.time.has_value());
+        PROPERTY_ASSERT(answers::order_of(*larger.time, *answer.time) <= 0);
     }
 }
 
@@ -179,8 +178,8 @@ void larger_is_earlier(graze::ball<N, double> a, const graze::ball<N, double>& b
 template <class A, class B>
 void overlap_is_now(const A& a, const B& b) {
     const auto answer = answers::of(a, b);
-    RC_ASSERT((answer.what == graze::encounter::overlap) ==
-              (answer.overlaps && answer.what != graze::encounter::recede));
+    PROPERTY_ASSERT((answer.what == graze::encounter::overlap) ==
+                    (answer.overlaps && answer.what != graze::encounter::recede));
 }
 
 // 11. Numbers stand in the same order as times.
@@ -189,10 +188,10 @@ void numbers_in_order(const std::optional<graze::impact_time<N, double>>& x,
                       const std::optional<graze::impact_time<N, double>>& y) {
     if (x && y) {
         const double lower = x->lower(), upper = x->upper();
-        RC_ASSERT(answers::order_of(*x, lower) >= 0 && answers::order_of(*x, upper) <= 0);
-        RC_ASSERT((answers::order_of(*x, lower) == 0) == (lower == upper));
-        RC_ASSERT(answers::order_of(*y, upper) <= 0 || answers::order_of(*x, *y) < 0);
-        RC_ASSERT(answers::order_of(*y, lower) >= 0 || answers::order_of(*x, *y) > 0);
+        PROPERTY_ASSERT(answers::order_of(*x, lower) >= 0 && answers::order_of(*x, upper) <= 0);
+        PROPERTY_ASSERT((answers::order_of(*x, lower) == 0) == (lower == upper));
+        PROPERTY_ASSERT(answers::order_of(*y, upper) <= 0 || answers::order_of(*x, *y) < 0);
+        PROPERTY_ASSERT(answers::order_of(*y, lower) >= 0 || answers::order_of(*x, *y) > 0);
     }
 }
 
@@ -211,8 +210,8 @@ inline bool halves_make_a_wall(const graze::ball<3, double>& a, const graze::wal
     const auto x = answers::of(a, half), y = answers::of(a, other);
     const bool x_first = x.time && (!y.time || answers::order_of(*x.time, *y.time) <= 0);
     const auto& first = x_first ? x : y;
-    RC_ASSERT(wall.time.has_value() == first.time.has_value());
-    RC_ASSERT(!wall.time || (answers::order_of(*wall.time, *first.time) == 0 && wall.what == first.what));
+    PROPERTY_ASSERT(wall.time.has_value() == first.time.has_value());
+    PROPERTY_ASSERT(!wall.time || (answers::order_of(*wall.time, *first.time) == 0 && wall.what == first.what));
     return true;
 }
 

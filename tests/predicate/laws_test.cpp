@@ -1,9 +1,9 @@
 // The laws, on pairs of every hard family.
+#include "../property.hpp"
 #include "../soak/more_families.hpp"
 #include "laws.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <cstdint>
 
@@ -11,8 +11,8 @@ namespace {
 
 template <int N, std::size_t Count>
 families::pair_of_doubles<N> any_of(const std::array<families::family, Count>& drawn) {
-    const auto which = *rc::gen::inRange<std::size_t>(0, Count);
-    const auto index = *rc::gen::arbitrary<std::uint64_t>();
+    const auto which = property::in_range<std::size_t>(0, Count);
+    const auto index = property::any<std::uint64_t>();
     return drawn[which].template draw<N>(1, index % (1U << 20U));
 }
 
@@ -43,8 +43,8 @@ void all_laws(const families::pair_of_doubles<N>& pair) {
 
 template <int N>
 bool holds_in() {
-    return rc::check([] { all_laws(any_of<N>(families::all_families)); }) &&
-           rc::check([] { all_laws(any_of<N>(families::more_families)); });
+    return property::check([] { all_laws(any_of<N>(families::all_families)); }) &&
+           property::check([] { all_laws(any_of<N>(families::more_families)); });
 }
 
 template <int N>
@@ -56,7 +56,7 @@ auto time_of_any() {
 }
 template <int N>
 bool times_are_ordered() {
-    return rc::check([] {
+    return property::check([] {
         const auto x = time_of_any<N>();
         const auto y = time_of_any<N>();
         laws::order(x, y, time_of_any<N>());
@@ -68,9 +68,9 @@ bool times_are_ordered() {
 template <int N>
 bool holds_in_other_frames() {
     int tried = 0, exact = 0;
-    const bool holds = rc::check([&] {
+    const bool holds = property::check([&] {
         const auto pair = any_of<N>(families::more_families);
-        RC_PRE(pair.kind == families::pair_kind::ball_ball);
+        PROPERTY_PRE(pair.kind == families::pair_kind::ball_ball);
         ++tried;
         exact += laws::common_velocity(pair.a, pair.b, -pair.b.velocity) ? 1 : 0;
         exact += laws::common_velocity(pair.a, pair.b, pair.a.velocity) ? 1 : 0;

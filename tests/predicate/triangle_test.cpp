@@ -2,6 +2,7 @@
 // and on small whole numbers.
 #include "../contact/judge.hpp"
 #include "../oracle/flight.hpp"
+#include "../property.hpp"
 #include "../soak/more_families.hpp"
 #include "answers_of_type.hpp"
 #include "faults.hpp"
@@ -12,7 +13,6 @@
 #include <graze/predicate/either_order.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <cstdint>
 
@@ -32,9 +32,9 @@ struct pair {
 // The half of the wall of the next pair with a wall in a family.
 template <std::size_t Count>
 pair any_of(const std::array<families::family, Count>& drawn) {
-    const auto which = *rc::gen::resize(100, rc::gen::inRange<std::size_t>(0, Count));
-    const auto index = *rc::gen::arbitrary<std::uint64_t>() % (1U << 20U);
-    const bool turned = *rc::gen::arbitrary<bool>();
+    const auto which = property::index_below(Count);
+    const auto index = property::any<std::uint64_t>() % (1U << 20U);
+    const bool turned = property::any<bool>();
     for (std::size_t k = which;; ++k) {
         const auto p = drawn[k % Count].template draw<3>(1, index + k / Count);
         if (p.kind != families::pair_kind::ball_wall) {
@@ -50,56 +50,56 @@ pair any_of(const std::array<families::family, Count>& drawn) {
 }
 pair small_pair() {
     const auto vector = [](int most) {
-        return graze::make_vec<3>([&](int) { return static_cast<double>(*rc::gen::inRange(-most, most + 1)); });
+        return graze::make_vec<3>([&](int) { return static_cast<double>(property::in_range(-most, most + 1)); });
     };
-    pair p{{vector(5), vector(2), static_cast<double>(*rc::gen::inRange(0, 4))}, {vector(2), {vector(4), vector(4)}}};
-    RC_PRE(faults::of(p.a, p.b).empty());
+    pair p{{vector(5), vector(2), static_cast<double>(property::in_range(0, 4))}, {vector(2), {vector(4), vector(4)}}};
+    PROPERTY_PRE(faults::of(p.a, p.b).empty());
     return p;
 }
 
 // Encounter, feature, time and contact.
 void check(const pair& p) {
     const auto& [b, t] = p;
-    RC_ASSERT(answers::is_right(answers::of(b, t), b, t));
+    PROPERTY_ASSERT(answers::is_right(answers::of(b, t), b, t));
     const oracle::answer truth = oracle::meet(b, t);
     const graze::wall_encounter met = graze::classify_feature(b, t);
-    RC_ASSERT(static_cast<int>(met.what) == static_cast<int>(truth.what));
+    PROPERTY_ASSERT(static_cast<int>(met.what) == static_cast<int>(truth.what));
     if (graze::is_collision(met.what)) {
-        RC_ASSERT(static_cast<int>(met.where) == static_cast<int>(truth.where()));
-        RC_ASSERT(truth.has(static_cast<oracle::feature>(met.where), met.index));
-        RC_TAG(std::string(graze::to_string(met.where)) + std::to_string(met.index));
+        PROPERTY_ASSERT(static_cast<int>(met.where) == static_cast<int>(truth.where()));
+        PROPERTY_ASSERT(truth.has(static_cast<oracle::feature>(met.where), met.index));
+        property::tag(std::string(graze::to_string(met.where)) + std::to_string(met.index));
     }
     const auto contact = graze::collide(b, t);
     const judge::verdict v = judge::of(b, t, contact, answers::time_of(b, t));
     if (!v.wrong.empty()) {
-        RC_LOG(v.wrong);
+        property::log(v.wrong);
     }
-    RC_ASSERT(v.wrong.empty());
-    RC_ASSERT(graze::classify_feature(t, b) == met);
-    RC_ASSERT(graze::collide(t, b) == contact);
-    RC_ASSERT(graze::overlaps(t, b) == truth.overlaps);
+    PROPERTY_ASSERT(v.wrong.empty());
+    PROPERTY_ASSERT(graze::classify_feature(t, b) == met);
+    PROPERTY_ASSERT(graze::collide(t, b) == contact);
+    PROPERTY_ASSERT(graze::overlaps(t, b) == truth.overlaps);
 
-    const double since = *rc::gen::element(0.0, 1.0, -0.375, 1e9);
+    const double since = property::one_of(0.0, 1.0, -0.375, 1e9);
     const graze::flight<3> f{b, since};
-    RC_ASSERT(graze::classify_feature(f, t) == met);
+    PROPERTY_ASSERT(graze::classify_feature(f, t) == met);
     const auto later = graze::collide(f, t);
-    RC_ASSERT(later.has_value() == contact.has_value());
+    PROPERTY_ASSERT(later.has_value() == contact.has_value());
     if (later) {
         const auto time = oracle::meet(f, t).time;
-        RC_ASSERT(oracle::is_rounded(*time, later->time));
-        RC_ASSERT(oracle::is_rounded(*time, static_cast<double>(*graze::time_of_impact(t, f))));
+        PROPERTY_ASSERT(oracle::is_rounded(*time, later->time));
+        PROPERTY_ASSERT(oracle::is_rounded(*time, static_cast<double>(*graze::time_of_impact(t, f))));
         auto same = *later;
         same.time = contact->time;
-        RC_ASSERT(same == *contact);
+        PROPERTY_ASSERT(same == *contact);
     }
 }
 
 } // namespace
 
 TEST_CASE("Triangles are met as the oracle says, and left as it says") {
-    CHECK(rc::check("of hard families", [] { check(any_of(families::all_families)); }));
-    CHECK(rc::check("of harder ones", [] { check(any_of(families::more_families)); }));
-    CHECK(rc::check("of small whole numbers", [] { check(small_pair()); }));
+    CHECK(property::check("of hard families", [] { check(any_of(families::all_families)); }));
+    CHECK(property::check("of harder ones", [] { check(any_of(families::more_families)); }));
+    CHECK(property::check("of small whole numbers", [] { check(small_pair()); }));
 }
 
 TEST_CASE("Triangles obey the laws") {
@@ -110,8 +110,8 @@ TEST_CASE("Triangles obey the laws") {
         laws::collisions_have_times(p.a, p.b);
         laws::overlap_is_now(p.a, p.b);
     };
-    CHECK(rc::check([&] { all(any_of(families::all_families)); }));
-    CHECK(rc::check([&] { all(small_pair()); }));
+    CHECK(property::check([&] { all(any_of(families::all_families)); }));
+    CHECK(property::check([&] { all(small_pair()); }));
 }
 
 TEST_CASE("The first of a wall's two triangles is met when the wall is") {
@@ -120,8 +120,8 @@ TEST_CASE("The first of a wall's two triangles is met when the wall is") {
         ++tried;
         exact += laws::halves_make_a_wall(p.a, wall{p.b.corner, p.b.edge}) ? 1 : 0;
     };
-    CHECK(rc::check([&] { holds(any_of(families::all_families)); }));
-    CHECK(rc::check([&] { holds(small_pair()); }));
+    CHECK(property::check([&] { holds(any_of(families::all_families)); }));
+    CHECK(property::check([&] { holds(small_pair()); }));
     CHECK(exact > tried / 3);
 }
 

@@ -2,11 +2,11 @@
 // and, occasionally, bad input.
 #pragma once
 
+#include "../property.hpp"
 #include "faults.hpp"
 #include "laws.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <bit>
 #include <cstdint>
@@ -21,33 +21,33 @@ template <std::signed_integral T>
 T number(range from) {
     constexpr T most = std::numeric_limits<T>::max();
     if (from == range::small) {
-        return *rc::gen::inRange<T>(-4, 5);
+        return property::in_range<T>(-4, 5);
     }
     if (from == range::ends) {
-        const T off = *rc::gen::inRange<T>(0, 3);
-        return *rc::gen::arbitrary<bool>() ? static_cast<T>(most - off) : static_cast<T>(-most - 1 + off);
+        const T off = property::in_range<T>(0, 3);
+        return property::any<bool>() ? static_cast<T>(most - off) : static_cast<T>(-most - 1 + off);
     }
-    return static_cast<T>(*rc::gen::arbitrary<T>() >> *rc::gen::inRange(0, std::numeric_limits<T>::digits));
+    return static_cast<T>(property::any<T>() >> property::in_range(0, std::numeric_limits<T>::digits));
 }
 template <std::floating_point T>
 T number(range from) {
-    const T small = static_cast<T>(*rc::gen::inRange(-4, 5));
+    const T small = static_cast<T>(property::in_range(-4, 5));
     if (from == range::small) {
         return small;
     }
     if (from == range::ends) {
-        return *rc::gen::arbitrary<bool>() ? small * std::numeric_limits<T>::denorm_min()
-                                           : small / 4 * std::numeric_limits<T>::max();
+        return property::any<bool>() ? small * std::numeric_limits<T>::denorm_min()
+                                     : small / 4 * std::numeric_limits<T>::max();
     }
     using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    return std::bit_cast<T>(*rc::gen::arbitrary<bits>()); // may be an infinity or a NaN
+    return std::bit_cast<T>(property::any<bits>()); // may be an infinity or a NaN
 }
 
 // One in 32 is negative.
 template <class T>
 T radius(range from) {
     const T r = number<T>(from);
-    if (r >= 0 || *rc::gen::inRange(0, 16) == 0) {
+    if (r >= 0 || property::in_range(0, 16) == 0) {
         return r;
     }
     return r == std::numeric_limits<T>::lowest() ? std::numeric_limits<T>::max() : static_cast<T>(-r);
@@ -67,16 +67,16 @@ void check(const A& a, const B& b, range from) {
     using T = decltype(a.radius);
     auto decided_by = graze::stage::filter;
     const faults::list bad = faults::of(a, b);
-    RC_CLASSIFY(!bad.empty(), "bad");
+    property::tag_if(!bad.empty(), "bad");
     if (!bad.empty()) {
-        RC_ASSERT(faults::told(bad, [&] { (void)answers::encounter_of(a, b, decided_by); }));
-        RC_ASSERT(faults::told(bad, [&] { (void)answers::overlap_of(a, b, decided_by); }));
-        RC_ASSERT(faults::told(bad, [&] { (void)answers::time_of(a, b); }));
+        PROPERTY_ASSERT(faults::told(bad, [&] { (void)answers::encounter_of(a, b, decided_by); }));
+        PROPERTY_ASSERT(faults::told(bad, [&] { (void)answers::overlap_of(a, b, decided_by); }));
+        PROPERTY_ASSERT(faults::told(bad, [&] { (void)answers::time_of(a, b); }));
         return;
     }
     const auto answer = answers::of(a, b);
-    RC_CLASSIFY(answer.decided_by == graze::stage::exact, "exact");
-    RC_ASSERT(answers::is_right(answer, a, b));
+    property::tag_if(answer.decided_by == graze::stage::exact, "exact");
+    PROPERTY_ASSERT(answers::is_right(answer, a, b));
     // An integer's least value cannot be negated, so pairs that may contain it are not mirrored.
     const bool mirror = from == range::small || std::is_floating_point_v<T>;
     laws::axes(a, b, mirror);
@@ -87,19 +87,19 @@ void check(const A& a, const B& b, range from) {
 
 template <int N, class T>
 void check_all() {
-    const auto any_range = [] { return *rc::gen::element(range::small, range::any, range::ends); };
-    CHECK(rc::check("two balls", [=] {
+    const auto any_range = [] { return property::one_of(range::small, range::any, range::ends); };
+    CHECK(property::check("two balls", [=] {
         const range from = any_range();
         const auto a = ball<N, T>(from);
         check(a, ball<N, T>(from), from);
     }));
-    CHECK(rc::check("a ball and a plane", [=] {
+    CHECK(property::check("a ball and a plane", [=] {
         const range from = any_range();
         const auto a = ball<N, T>(from);
         const auto point = vector<N, T>(from);
         check(a, graze::plane<N, T>{point, vector<N, T>(from)}, from);
     }));
-    CHECK(rc::check("a ball and a wall", [=] {
+    CHECK(property::check("a ball and a wall", [=] {
         const range from = any_range();
         const auto a = ball<N, T>(from);
         graze::wall<N, T> w{vector<N, T>(from), {}};

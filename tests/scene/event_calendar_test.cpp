@@ -1,18 +1,19 @@
 // The calendar names the earliest ball, wherever its instant was kept, and loses none.
+#include "../property.hpp"
+
 #include <graze/run/event_calendar.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <limits>
 #include <map>
 #include <random>
 
 TEST_CASE("the earliest ball is one of the earliest instant, after any changes") {
-    CHECK(rc::check([] {
-        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
-        const auto instants = *rc::gen::element<std::uint64_t>(1, 20, 1U << 30); // few values make many ties
-        const auto balls = *rc::gen::element<graze::detail::body>(1, 2, 70, 400);
+    CHECK(property::check([] {
+        std::mt19937_64 random(property::any<std::uint64_t>());
+        const auto instants = property::one_of<std::uint64_t>(1, 20, 1U << 30); // few values make many ties
+        const auto balls = property::one_of<graze::detail::body>(1, 2, 70, 400);
         const double never = std::numeric_limits<double>::max();
         graze::detail::event_calendar calendar(balls);
         std::map<graze::detail::body, double> expected;
@@ -32,15 +33,15 @@ TEST_CASE("the earliest ball is one of the earliest instant, after any changes")
             schedule(a, kind == 2 ? never : now + unit * static_cast<double>(random() % instants));
             if (random() % 4 == 0) {
                 const auto first = calendar.earliest();
-                RC_ASSERT((first == graze::detail::no_body) == expected.empty());
+                PROPERTY_ASSERT((first == graze::detail::no_body) == expected.empty());
                 if (!expected.empty()) {
                     double least = never;
                     for (const auto& e : expected) {
                         least = std::min(least, e.second);
                     }
-                    RC_ASSERT(expected.count(first) == 1);
-                    RC_ASSERT(expected[first] == least);
-                    RC_ASSERT(calendar.when(first) == least);
+                    PROPERTY_ASSERT(expected.count(first) == 1);
+                    PROPERTY_ASSERT(expected[first] == least);
+                    PROPERTY_ASSERT(calendar.when(first) == least);
                     now = std::max(now, least);
                     schedule(first, random() % 2 == 0 ? never : now + static_cast<double>(random() % instants));
                 }
@@ -48,13 +49,13 @@ TEST_CASE("the earliest ball is one of the earliest instant, after any changes")
         }
         while (!expected.empty()) {
             const auto first = calendar.earliest();
-            RC_ASSERT(expected.count(first) == 1);
+            PROPERTY_ASSERT(expected.count(first) == 1);
             for (const auto& e : expected) {
-                RC_ASSERT(expected[first] <= e.second);
+                PROPERTY_ASSERT(expected[first] <= e.second);
             }
             calendar.remove(first);
             expected.erase(first);
         }
-        RC_ASSERT(calendar.earliest() == graze::detail::no_body);
+        PROPERTY_ASSERT(calendar.earliest() == graze::detail::no_body);
     }));
 }

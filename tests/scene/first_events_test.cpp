@@ -1,10 +1,10 @@
 // The first events of a scene, with its lists in any order, compared with the oracle and with a look at every pair.
+#include "../property.hpp"
 #include "line_oracle.hpp"
 
 #include <graze/scene.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <cmath>
 #include <limits>
@@ -33,14 +33,14 @@ struct any_scene {
     std::vector<graze::wall<2>> walls;
 
     any_scene() {
-        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        std::mt19937_64 random(property::any<std::uint64_t>());
         const auto below = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
-        const int wide = *rc::gen::element(6, 20, 100), fast = *rc::gen::element(1, 4);
-        const double unit = std::ldexp(1, *rc::gen::element(0, 0, -30, 600, -600));
+        const int wide = property::one_of(6, 20, 100), fast = property::one_of(1, 4);
+        const double unit = std::ldexp(1, property::one_of(0, 0, -30, 600, -600));
         const auto any = [&](int most) {
             return graze::make_vec<2>([&](int) { return (below(2 * most + 1) - most) * unit; });
         };
-        const int count = *rc::gen::inRange(0, 60);
+        const int count = property::in_range(0, 60);
         for (int i = 0; i < count; ++i) {
             const double size = below(8) == 0 ? std::ldexp(unit, below(12) - 8) : unit * below(3);
             balls.push_back({any(below(20) == 0 ? 1000 * wide : wide), any(fast), size, 1});
@@ -73,17 +73,17 @@ TEST_CASE("bad input is named") {
 
 TEST_CASE("all events of the earliest time, as the oracle has them, whatever the order of the lists") {
     const std::vector<graze::plane<2>> planes = {{{{0, 0}}, {{1, 0}}}, {{{64, 0}}, {{-3, 0}}}};
-    CHECK(rc::check([&] {
+    CHECK(property::check([&] {
         std::vector<bead> beads;
-        int x = *rc::gen::inRange(0, 3);
-        const int count = *rc::gen::inRange(1, 9);
+        int x = property::in_range(0, 3);
+        const int count = property::in_range(1, 9);
         for (int i = 0; i < count; ++i) {
-            const int radius = *rc::gen::inRange(1, 3);
-            beads.push_back({x + radius, *rc::gen::inRange(-2, 3), i % 2, radius, 1});
-            x += 2 * radius + *rc::gen::inRange(0, 3);
+            const int radius = property::in_range(1, 3);
+            beads.push_back({x + radius, property::in_range(-2, 3), i % 2, radius, 1});
+            x += 2 * radius + property::in_range(0, 3);
         }
         for (std::size_t i = beads.size() - 1; i > 0; --i) {
-            std::swap(beads[i], beads[*rc::gen::inRange<std::size_t>(0, i + 1)]);
+            std::swap(beads[i], beads[property::in_range<std::size_t>(0, i + 1)]);
         }
         std::vector<graze::ball<2>> balls;
         for (const bead& b : beads) {
@@ -91,23 +91,23 @@ TEST_CASE("all events of the earliest time, as the oracle has them, whatever the
         }
         const auto first = graze::first_events(graze::scene<2>{balls, planes, {}});
         const auto expected = line_oracle::tracks(beads, 64).first();
-        RC_ASSERT(first.events.size() == expected.size());
+        PROPERTY_ASSERT(first.events.size() == expected.size());
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            RC_ASSERT(first.events[i] == expected[i].who);
-            RC_ASSERT(rational(static_cast<double>(*first.time)) ==
-                      rational(static_cast<double>(expected[i].time))); // rounded once
+            PROPERTY_ASSERT(first.events[i] == expected[i].who);
+            PROPERTY_ASSERT(rational(static_cast<double>(*first.time)) ==
+                            rational(static_cast<double>(expected[i].time))); // rounded once
         }
         const auto only = graze::first_events(graze::scene<2>{balls, planes, {}}, graze::simultaneous::first);
-        RC_ASSERT(only.events.size() == std::min<std::size_t>(expected.size(), 1));
+        PROPERTY_ASSERT(only.events.size() == std::min<std::size_t>(expected.size(), 1));
         if (!expected.empty()) {
-            RC_ASSERT(only.events[0] == expected[0].who);
+            PROPERTY_ASSERT(only.events[0] == expected[0].who);
         }
     }));
 }
 
 TEST_CASE("the first events are the first of all") {
     int many = 0, none = 0;
-    CHECK(rc::check([&] {
+    CHECK(property::check([&] {
         const any_scene s;
         std::optional<graze::impact_time<2>> first;
         std::vector<graze::scene_pair> expected;
@@ -142,9 +142,9 @@ TEST_CASE("the first events are the first of all") {
         }
         std::sort(found.events.begin(), found.events.end());
         std::sort(expected.begin(), expected.end());
-        RC_ASSERT(found.events == expected);
-        RC_ASSERT(found.time.has_value() == first.has_value());
-        RC_ASSERT(!first || *found.time == *first);
+        PROPERTY_ASSERT(found.events == expected);
+        PROPERTY_ASSERT(found.time.has_value() == first.has_value());
+        PROPERTY_ASSERT(!first || *found.time == *first);
         many += expected.size() > 1 ? 1 : 0;
         none += first ? 0 : 1;
     }));
@@ -154,7 +154,7 @@ TEST_CASE("the first events are the first of all") {
 
 TEST_CASE("those that overlap are found among all") {
     std::size_t pairs = 0;
-    CHECK(rc::check([&] {
+    CHECK(property::check([&] {
         const any_scene s;
         std::vector<graze::scene_pair> expected;
         const auto look = [&](graze::partner kind, const auto& parts) {
@@ -169,7 +169,7 @@ TEST_CASE("those that overlap are found among all") {
         look(graze::partner::ball, s.balls);
         look(graze::partner::plane, s.planes);
         look(graze::partner::wall, s.walls);
-        RC_ASSERT(graze::overlapping(s.view()) == expected);
+        PROPERTY_ASSERT(graze::overlapping(s.view()) == expected);
         pairs += expected.size();
     }));
     CHECK(pairs > 100);
@@ -185,7 +185,7 @@ struct periodic_scene {
     graze::vec<2, double> period;
 
     periodic_scene() {
-        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        std::mt19937_64 random(property::any<std::uint64_t>());
         const auto below = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
         const auto any = [&](int most) { return 0.125 * (below(2 * most + 1) - most); };
         const bool slit = below(2) == 0;
@@ -247,7 +247,7 @@ void sort_out(Pairs& pairs) {
 
 TEST_CASE("in a scene that has a period the first events and the overlaps are those of copies") {
     int images = 0, several = 0;
-    CHECK(rc::check([&] {
+    CHECK(property::check([&] {
         const periodic_scene s;
         std::optional<graze::impact_time<2>> first;
         std::vector<graze::scene_pair> expected, inside;
@@ -266,16 +266,16 @@ TEST_CASE("in a scene that has a period the first events and the overlaps are th
         });
         sort_out(expected);
         sort_out(inside);
-        RC_ASSERT(graze::overlapping(s.view()) == inside);
+        PROPERTY_ASSERT(graze::overlapping(s.view()) == inside);
         // Until then two come nearer by a period at most, and none is farther than three from 0.
         if (first && *first < 2.0) {
             auto found = graze::first_events(s.view());
-            RC_ASSERT(found.time.has_value());
-            RC_ASSERT(found.time->compare(*first) == 0);
+            PROPERTY_ASSERT(found.time.has_value());
+            PROPERTY_ASSERT(found.time->compare(*first) == 0);
             const std::size_t named = found.events.size();
             sort_out(found.events);
-            RC_ASSERT(found.events.size() == named);
-            RC_ASSERT(found.events == expected);
+            PROPERTY_ASSERT(found.events.size() == named);
+            PROPERTY_ASSERT(found.events == expected);
             ++images;
             several += named > 1 ? 1 : 0;
         }

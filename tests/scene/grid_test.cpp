@@ -1,11 +1,12 @@
 // The cells decide which pairs are predicted, never what happens; and a run continues after an interruption as if there
 // had been none.
+#include "../property.hpp"
+
 #include <graze/number/floating.hpp>
 #include <graze/run/plain_mechanics.hpp>
 #include <graze/run/run.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +37,18 @@ struct look {
 };
 
 look any_look(int most) {
-    return {*rc::gen::inRange(1, most),           *rc::gen::inRange(0, 9),     *rc::gen::arbitrary<bool>(),
-            *rc::gen::arbitrary<bool>(),          *rc::gen::inRange(0, 3) * 2, *rc::gen::inRange(0, 3) * 7,
-            *rc::gen::element(0, 0, 0, 8, 25, 60)};
+    return {property::in_range(1, most),
+            property::in_range(0, 9),
+            property::any<bool>(),
+            property::any<bool>(),
+            property::in_range(0, 3) * 2,
+            property::in_range(0, 3) * 7,
+            property::one_of(0, 0, 0, 8, 25, 60)};
 }
 
 template <int N>
 parts_of_scene<N> any_scene(const look& l) {
-    std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+    std::mt19937_64 random(property::any<std::uint64_t>());
     const auto fraction = [&] { return static_cast<double>(static_cast<std::int64_t>(random() >> 11)) * 0x1p-53; };
     const double side = l.clustered ? 2 : 10;
     parts_of_scene<N> s;
@@ -130,22 +135,23 @@ story<M::dimension> told_by(graze::run<M>& run, std::uint64_t count) {
 
 template <int N>
 bool cells_have_no_part(int most, std::uint64_t events) {
-    return rc::check([=] {
+    return property::check([=] {
         using plain = graze::plain_mechanics<N, double>;
         const look l = any_look(most);
         const auto s = any_scene<N>(l);
         graze::run<plain> with(s.scene());
         graze::run<plain> without(s.scene(), {}, graze::cells::none);
         const auto story_with = told_by(with, events);
-        RC_ASSERT(story_with == told_by(without, events));
+        PROPERTY_ASSERT(story_with == told_by(without, events));
     });
 }
 
-// Plain mechanics that leave one in `one_in` questions undecided.
+// Plain mechanics that leave one in `one_in` questions undecided and, if vague, the order of equal times.
 struct hesitant : graze::plain_mechanics<2, double> {
     using plain = graze::plain_mechanics<2, double>;
     std::shared_ptr<std::mt19937_64> random = std::make_shared<std::mt19937_64>();
     unsigned one_in = 0;
+    bool vague = false;
 
     void hesitate() const {
         if (one_in != 0 && (*random)() % one_in == 0) {
@@ -159,22 +165,15 @@ struct hesitant : graze::plain_mechanics<2, double> {
     }
     int order(double s, double t) const {
         hesitate();
+        if (vague && s == t) {
+            throw graze::undecided("the order of two times", s);
+        }
         return plain::order(s, t);
     }
     template <class S>
     void bounce(state& a, S& b, double when) const {
         hesitate();
         plain::bounce(a, b, when);
-    }
-};
-
-// Plain mechanics that cannot distinguish equal times from others.
-struct vague : graze::plain_mechanics<2, double> {
-    int order(double s, double t) const {
-        if (s == t) {
-            throw graze::undecided("the order of two times", s);
-        }
-        return s < t ? -1 : 1;
     }
 };
 
@@ -186,7 +185,9 @@ TEST_CASE("of two events that share no ball either is done first, where their or
         {{{0, 0}}, {{1, 0}}, 1}, {{{5, 0}}, {{0, 0}}, 1}, {{{0, 10}}, {{1, 0}}, 1}, {{{5, 10}}, {{0, 0}}, 1}};
     std::vector<graze::scene_pair> met;
     const auto note = [&](const auto& e) { met.push_back(e.who); };
-    graze::run<vague> apart(graze::scene<2, double>{balls, {}, {}});
+    hesitant rules;
+    rules.vague = true;
+    graze::run<hesitant> apart(graze::scene<2, double>{balls, {}, {}}, rules);
     CHECK(apart.advance({}, note).why == graze::ending::exhausted);
     REQUIRE(met.size() == 2);
     std::sort(met.begin(), met.end());
@@ -195,7 +196,7 @@ TEST_CASE("of two events that share no ball either is done first, where their or
 
     balls[2] = {{{10, 0}}, {{-1, 0}}, 1}; // balls on both sides meet ball 1
     balls[3].velocity[0] = 1;
-    graze::run<vague> together(graze::scene<2, double>{balls, {}, {}});
+    graze::run<hesitant> together(graze::scene<2, double>{balls, {}, {}}, rules);
     try {
         together.advance({}, note);
         FAIL("ball 1 was hit in some order");
@@ -233,21 +234,21 @@ TEST_CASE("what happens long after the last event is the same with and without c
 }
 
 TEST_CASE("exceptions in the middle of an event change nothing") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto s = any_scene<2>(any_look(40));
         hesitant certain;
         hesitant unsure;
         graze::run<hesitant> straight(s.scene(), certain);
         graze::run<hesitant> interrupted(s.scene(), unsure);
-        interrupted.rules().random->seed(*rc::gen::arbitrary<std::uint64_t>());
+        interrupted.rules().random->seed(property::any<std::uint64_t>());
         const auto expected = told_by(straight, 200);
         const_cast<hesitant&>(interrupted.rules()).one_in = 300; // only now: the first predictions have no run yet
-        RC_ASSERT(told_by(interrupted, 200) == expected);
+        PROPERTY_ASSERT(told_by(interrupted, 200) == expected);
     }));
 }
 
 TEST_CASE("event by event is the same as at once") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto s = any_scene<2>(any_look(60));
         using plain = graze::plain_mechanics<2, double>;
         graze::run<plain> whole(s.scene());
@@ -255,16 +256,16 @@ TEST_CASE("event by event is the same as at once") {
         const auto expected = told_by(whole, 150);
         story<2> told;
         while (told.events.size() < expected.events.size()) {
-            const auto step = told_by(steps, *rc::gen::inRange<std::uint64_t>(1, 5));
+            const auto step = told_by(steps, property::in_range<std::uint64_t>(1, 5));
             told.events.insert(told.events.end(), step.events.begin(), step.events.end());
         }
         told.events.resize(expected.events.size());
-        RC_ASSERT(told.events == expected.events);
+        PROPERTY_ASSERT(told.events == expected.events);
     }));
 }
 
 TEST_CASE("velocities turned round bring a run back") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         auto s = any_scene<2>({20, 0, true, false, 0, 0});
         using plain = graze::plain_mechanics<2, double>;
         const plain rules;
@@ -277,13 +278,13 @@ TEST_CASE("velocities turned round bring a run back") {
             return graze::flight<2>{b, turn};
         });
         const auto back = run.advance({.time = 2 * turn});
-        RC_ASSERT(there.why == graze::ending::time);
-        RC_ASSERT(back.events == there.events);
+        PROPERTY_ASSERT(there.why == graze::ending::time);
+        PROPERTY_ASSERT(back.events == there.events);
         for (int i = 0; i < run.balls(); ++i) {
             const auto b = rules.ball_at(run.in_flight(i), 2 * turn);
             const auto& start = s.balls[static_cast<std::size_t>(i)];
             for (int axis = 0; axis < 2; ++axis) { // a few events enlarge an error by no more than this factor
-                RC_ASSERT(std::fabs(b.position[axis] - start.position[axis]) < 1e-6);
+                PROPERTY_ASSERT(std::fabs(b.position[axis] - start.position[axis]) < 1e-6);
             }
         }
     }));

@@ -1,4 +1,5 @@
 // Periodic scenes: every ball meets the images of the others, whichever image was given.
+#include "../property.hpp"
 #include "fraction.hpp"
 
 #include <graze/contact/collide_images.hpp>
@@ -7,7 +8,6 @@
 #include <graze/run/run.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,17 +29,17 @@ struct box {
 
 // In multiples of 2^-20, so that whole periods can be added exactly. slit: between two planes.
 box any_box(bool slit, bool dense = true) {
-    std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+    std::mt19937_64 random(property::any<std::uint64_t>());
     const auto below = [&](double most) {
         return std::ldexp(std::floor(most * std::ldexp(double(random() >> 44), 0)), -20);
     };
     box b;
-    b.period = {{*rc::gen::element(2.5, 4.0, 9.25), slit ? 0 : *rc::gen::element(2.25, 5.0, 8.0)}};
+    b.period = {{property::one_of(2.5, 4.0, 9.25), slit ? 0 : property::one_of(2.25, 5.0, 8.0)}};
     const double height = slit ? 5 : b.period[1];
-    const int count = *rc::gen::inRange(1, dense ? 30 : 6);
+    const int count = property::in_range(1, dense ? 30 : 6);
     for (int tries = 0; tries < 300 && static_cast<int>(b.balls.size()) < count; ++tries) {
         graze::ball<2> x{};
-        x.radius = *rc::gen::element(0.25, 0.5, 1.0);
+        x.radius = property::one_of(0.25, 0.5, 1.0);
         x.position = {{below(b.period[0]), slit ? x.radius + below(height - 2 * x.radius) : below(height)}};
         x.velocity = {{below(2) - 1, below(2) - 1}};
         x.mass = 1 + below(1);
@@ -159,22 +159,22 @@ TEST_CASE("a wall is met in every period") {
 
 TEST_CASE("cells have no part, nor has the period in which a ball is given; positions stay within half of one") {
     std::size_t events = 0;
-    CHECK(rc::check([&] {
-        const bool slit = *rc::gen::arbitrary<bool>();
+    CHECK(property::check([&] {
+        const bool slit = property::any<bool>();
         const box b = any_box(slit);
         const auto expected = told(b);
         events += expected.size();
-        RC_ASSERT(told(b, graze::cells::none) == expected);
+        PROPERTY_ASSERT(told(b, graze::cells::none) == expected);
         box moved = b;
         for (auto& x : moved.balls) {
             for (int i = 0; i < 2; ++i) {
-                x.position[i] += *rc::gen::inRange(-5, 6) * b.period[i];
+                x.position[i] += property::in_range(-5, 6) * b.period[i];
             }
         }
-        RC_ASSERT(told(moved) == expected);
+        PROPERTY_ASSERT(told(moved) == expected);
         for (const auto& e : expected) {
             for (int i = 0; i < 2; ++i) {
-                RC_ASSERT(b.period[i] == 0 || std::fabs(e.position[i]) <= b.period[i] / 2);
+                PROPERTY_ASSERT(b.period[i] == 0 || std::fabs(e.position[i]) <= b.period[i] / 2);
             }
         }
     }));
@@ -184,10 +184,10 @@ TEST_CASE("cells have no part, nor has the period in which a ball is given; posi
 TEST_CASE("in exact numbers the run is that of copies, to the last digit") {
     using exact = graze::plain_mechanics<2, fraction>;
     std::size_t total = 0;
-    CHECK(rc::check([&] {
+    CHECK(property::check([&] {
         // Eight balls with rational places and speeds on two lines. They meet head-on, so everything stays rational.
         const int most = 15;
-        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        std::mt19937_64 random(property::any<std::uint64_t>());
         const auto below = [&](int end) { return fraction(static_cast<int>(random() % static_cast<unsigned>(end))); };
         const fraction length = fraction(13) + below(8);
         std::vector<graze::ball<2, fraction>> balls;
@@ -224,7 +224,7 @@ TEST_CASE("in exact numbers the run is that of copies, to the last digit") {
                 found.emplace_back(e.when, name(e.who.a % 8, e.who.b % 8));
             }
         });
-        RC_ASSERT(found == expected);
+        PROPERTY_ASSERT(found == expected);
         total += expected.size();
     }));
     CHECK(total > 100);

@@ -1,22 +1,23 @@
 // A point among walls in runs, compared with an oracle in rationals and with small balls; and what was once wrong.
+#include "../property.hpp"
 #include "point_checks.hpp"
 #include "point_images.hpp"
 #include "sliding_scenes.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 namespace {
 
 template <int N, bool Slanted>
 void compare_scenes() {
     std::size_t by_oracle = 0, by_balls = 0;
-    CHECK(rc::check([&] {
-        const auto seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 48);
+    CHECK(property::check([&] {
+        const auto seed = property::in_range<std::uint64_t>(0, std::uint64_t{1} << 48);
         const auto s = any_point_scene<N>(seed, Slanted);
-        RC_LOG() << "any_point_scene<" << N << ">(" << seed << ", " << Slanted << ")\n";
-        RC_ASSERT(fault_by_oracle<N>(s, 12, &by_oracle) == "");
-        RC_ASSERT(fault_beside_balls<N>(s, 12, &by_balls) == "");
+        property::log("any_point_scene<" + std::to_string(N) + ">(" + std::to_string(seed) +
+                      (Slanted ? ", true)" : ", false)"));
+        PROPERTY_ASSERT(fault_by_oracle<N>(s, 12, &by_oracle) == "");
+        PROPERTY_ASSERT(fault_beside_balls<N>(s, 12, &by_balls) == "");
     }));
     CHECK(by_oracle > 100);
     CHECK(by_balls > 100);
@@ -156,19 +157,19 @@ TEST_CASE("a point comes out of a wedge of walls on the side from which it came"
 }
 
 TEST_CASE("a point does not leave a box of slanted walls, aimed at its corners too") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         // Corners at ±(p, q) and ±(q, -p) times 2^-4; its sides are exact, points on them are not.
-        const double p = *rc::gen::inRange(1, 99) * 0x1p-4, q = *rc::gen::inRange(1, 99) * 0x1p-4;
+        const double p = property::in_range(1, 99) * 0x1p-4, q = property::in_range(1, 99) * 0x1p-4;
         const std::array<graze::vec<2, double>, 4> corners{{{{p, q}}, {{-q, p}}, {{-p, -q}}, {{q, -p}}}};
         point_scene<2> s;
         for (std::size_t i = 0; i < 4; ++i) {
             s.walls.push_back({corners[i], {{corners[(i + 1) % 4] - corners[i]}}});
         }
-        const auto& aim = corners[*rc::gen::inRange<std::size_t>(0, 4)];
-        const double speed = *rc::gen::inRange(1, 99) * 0.01;
+        const auto& aim = corners[property::in_range<std::size_t>(0, 4)];
+        const double speed = property::in_range(1, 99) * 0.01;
         s.point.push_back({{{0, 0}}, speed * aim, 0, 1});
         const auto finished = run_exactly<2>({s.point, {}, s.walls}, {.events = 60});
-        RC_ASSERT(finished.outcome.why == graze::ending::events);
-        RC_ASSERT(graze::squared_norm(finished.flights[0].state.position) < 1.01 * (p * p + q * q));
+        PROPERTY_ASSERT(finished.outcome.why == graze::ending::events);
+        PROPERTY_ASSERT(graze::squared_norm(finished.flights[0].state.position) < 1.01 * (p * p + q * q));
     }));
 }

@@ -1,4 +1,5 @@
 // The rules of a run in special cases: mirrors, overlaps, points, cascades, limits, exceptions.
+#include "../property.hpp"
 #include "exact_runs.hpp"
 
 #include <graze/number/floating.hpp>
@@ -6,7 +7,6 @@
 #include <graze/scene/scene_of.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <array>
@@ -372,20 +372,21 @@ TEST_CASE("an observer stops a run, and its exception loses nothing") {
 }
 
 TEST_CASE("a point stays on its side") {
-    CHECK(rc::check([] {
-        const auto fraction = [] { return *rc::gen::inRange(-999, 1000) * 0.001; };
+    CHECK(property::check([] {
+        const auto fraction = [] { return property::in_range(-999, 1000) * 0.001; };
         const balls point = {{{{0.5 + 0.4 * fraction(), 0.5 + 0.4 * fraction()}}, {{fraction(), fraction()}}, 0, 1},
                              {{{0.5, 0.5}}, {{fraction(), fraction()}}, 0.0625, 1e6}};
-        RC_PRE(std::hypot(point[0].position[0] - 0.5, point[0].position[1] - 0.5) > 0.0625);
+        PROPERTY_PRE(std::hypot(point[0].position[0] - 0.5, point[0].position[1] - 0.5) > 0.0625);
         const auto finished = run_exactly<2>({point, {}, box}, {.events = 300}, [](const exact_event<2>& e) {
             if (e.who.a == 0) {
-                RC_ASSERT(std::fabs(e.after_a.state.position[0] - 0.5) < 0.5 + 1e-12);
-                RC_ASSERT(std::fabs(e.after_a.state.position[1] - 0.5) < 0.5 + 1e-12);
+                PROPERTY_ASSERT(std::fabs(e.after_a.state.position[0] - 0.5) < 0.5 + 1e-12);
+                PROPERTY_ASSERT(std::fabs(e.after_a.state.position[1] - 0.5) < 0.5 + 1e-12);
             }
             return true;
         });
-        RC_ASSERT(finished.outcome.why == graze::ending::events || finished.outcome.why == graze::ending::exhausted ||
-                  finished.outcome.why == graze::ending::cascade);
+        PROPERTY_ASSERT(finished.outcome.why == graze::ending::events ||
+                        finished.outcome.why == graze::ending::exhausted ||
+                        finished.outcome.why == graze::ending::cascade);
     }));
 }
 
@@ -432,22 +433,22 @@ TEST_CASE("a point that comes to a corner leaves it on the side from which it ca
 }
 
 TEST_CASE("a point in a box with slanted sides stays in it, into the corners too") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         // Walls with corners at ±(1, k) and ±(k, -1), whose sides follow no grid of doubles.
-        const double k = *rc::gen::inRange(1, 9) * 0.1;
+        const double k = property::in_range(1, 9) * 0.1;
         const graze::vec<2, double> corners[] = {{{1, k}}, {{-k, 1}}, {{-1, -k}}, {{k, -1}}};
         planes box_of_planes;
         for (int i = 0; i < 4; ++i) {
             const auto &p = corners[i], &q = corners[(i + 1) % 4];
             box_of_planes.push_back(graze::plane<2>{p, {{p[1] - q[1], q[0] - p[0]}}});
         }
-        const auto& aim = corners[*rc::gen::inRange(0, 4)];
-        const double speed = *rc::gen::inRange(1, 99) * 0.01;
+        const auto& aim = corners[property::in_range(0, 4)];
+        const double speed = property::in_range(1, 99) * 0.01;
         const balls point = {{{{0, 0}}, speed * aim, 0, 1}};
         const auto finished = run_exactly<2>({point, box_of_planes, {}}, {.events = 40});
         const auto& f = finished.flights[0].state;
-        RC_ASSERT(finished.outcome.why == graze::ending::events);
-        RC_ASSERT(graze::squared_norm(f.position) < 1.01 * (1 + k * k));
+        PROPERTY_ASSERT(finished.outcome.why == graze::ending::events);
+        PROPERTY_ASSERT(graze::squared_norm(f.position) < 1.01 * (1 + k * k));
     }));
 }
 

@@ -1,9 +1,9 @@
 // The sequence of events, compared with an oracle that shares no code with the library. It depends on the scene alone.
+#include "../property.hpp"
 #include "exact_runs.hpp"
 #include "line_oracle.hpp"
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <numeric>
 
@@ -47,20 +47,20 @@ std::vector<told_event> events_of(const std::vector<bead>& beads, std::size_t co
 // are always dyadic, and doubles hold them: then every tie is exact.
 std::vector<bead> any_beads(bool dyadic) {
     std::vector<bead> beads;
-    const int tracks = *rc::gen::inRange(1, 4);
+    const int tracks = property::in_range(1, 4);
     for (int track = 0; track < tracks; ++track) {
-        int x = *rc::gen::inRange(0, 3);
-        const int count = *rc::gen::inRange(1, 6);
+        int x = property::in_range(0, 3);
+        const int count = property::in_range(1, 6);
         for (int i = 0; i < count; ++i) {
-            const int radius = *rc::gen::inRange(1, 3);
-            const int speed = dyadic ? *rc::gen::inRange(-1, 2) : *rc::gen::inRange(-7, 8);
-            const int mass = dyadic ? 1 : *rc::gen::inRange(1, 6);
+            const int radius = property::in_range(1, 3);
+            const int speed = dyadic ? property::in_range(-1, 2) : property::in_range(-7, 8);
+            const int mass = dyadic ? 1 : property::in_range(1, 6);
             beads.push_back({x + radius, speed, track, radius, mass});
-            x += 2 * radius + *rc::gen::inRange(0, 4);
+            x += 2 * radius + property::in_range(0, 4);
         }
     }
     for (std::size_t i = beads.size() - 1; i > 0; --i) {
-        std::swap(beads[i], beads[*rc::gen::inRange<std::size_t>(0, i + 1)]);
+        std::swap(beads[i], beads[property::in_range<std::size_t>(0, i + 1)]);
     }
     return beads;
 }
@@ -68,23 +68,23 @@ std::vector<bead> any_beads(bool dyadic) {
 } // namespace
 
 TEST_CASE("with ties everywhere, the sequence is the oracle's") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto beads = any_beads(true);
         const auto expected = line_oracle::tracks(beads, 64).run(40);
         const auto told = events_of(beads, 40);
-        RC_ASSERT(told.size() == expected.size());
+        PROPERTY_ASSERT(told.size() == expected.size());
         for (std::size_t i = 0; i < told.size(); ++i) {
-            RC_ASSERT(told[i].who == expected[i].who);
-            RC_ASSERT(rational(told[i].time) == expected[i].time);
-            RC_ASSERT(told[i].chosen == expected[i].chosen);
+            PROPERTY_ASSERT(told[i].who == expected[i].who);
+            PROPERTY_ASSERT(rational(told[i].time) == expected[i].time);
+            PROPERTY_ASSERT(told[i].chosen == expected[i].chosen);
         }
     }));
 }
 
 TEST_CASE("with masses of any ratio, the sequence is the oracle's while doubles can tell its times apart") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto beads = any_beads(false);
-        const auto expected = line_oracle::tracks(beads, 40).run(30);
+        const auto expected = line_oracle::tracks(beads, 40).run(31); // one more than is compared: it may be close
         length_of_tracks = 40;
         const auto told = events_of(beads, 30);
         length_of_tracks = 64;
@@ -94,19 +94,19 @@ TEST_CASE("with masses of any ratio, the sequence is the oracle's while doubles 
             if (is_close) {
                 return;
             }
-            RC_ASSERT(told[i].who == expected[i].who);
+            PROPERTY_ASSERT(told[i].who == expected[i].who);
         }
-        RC_ASSERT(told.size() == expected.size());
+        PROPERTY_ASSERT(told.size() == std::min<std::size_t>(expected.size(), 30));
     }));
 }
 
 TEST_CASE("the order of the lists has no part in it, nor has the grid") {
-    CHECK(rc::check([] {
+    CHECK(property::check([] {
         const auto beads = any_beads(true);
         std::vector<int> order(beads.size());
         std::iota(order.begin(), order.end(), 0);
         for (std::size_t i = order.size() - 1; i > 0; --i) {
-            std::swap(order[i], order[*rc::gen::inRange<std::size_t>(0, i + 1)]);
+            std::swap(order[i], order[property::in_range<std::size_t>(0, i + 1)]);
         }
         std::vector<bead> permuted;
         for (const int i : order) {
@@ -114,14 +114,14 @@ TEST_CASE("the order of the lists has no part in it, nor has the grid") {
         }
         const auto told = events_of(beads, 60);
         const auto other = events_of(permuted, 60, graze::cells::none);
-        RC_ASSERT(told.size() == other.size());
+        PROPERTY_ASSERT(told.size() == other.size());
         for (std::size_t i = 0; i < told.size(); ++i) {
             graze::scene_pair named = other[i].who;
             named.a = order[static_cast<std::size_t>(named.a)];
             named.b = named.with == graze::partner::ball ? order[static_cast<std::size_t>(named.b)] : named.b;
-            RC_ASSERT(told[i].who == named);
-            RC_ASSERT(told[i].time == other[i].time);
-            RC_ASSERT(told[i].chosen == other[i].chosen);
+            PROPERTY_ASSERT(told[i].who == named);
+            PROPERTY_ASSERT(told[i].time == other[i].time);
+            PROPERTY_ASSERT(told[i].chosen == other[i].chosen);
         }
     }));
 }

@@ -1,11 +1,11 @@
 // The search on small formulas: no find is lost, and all shards together are one search.
+#include "../../property.hpp"
 #include "float_order.hpp"
 #include "run.hpp"
 
 #include <graze/number/floating.hpp>
 
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <cmath>
 #include <filesystem>
@@ -108,12 +108,12 @@ std::string text_in(const std::filesystem::path& path) {
 } // namespace
 
 TEST_CASE("places are in the order of the floats, neighbours one apart") {
-    CHECK(rc::check([] {
-        const auto place = *rc::gen::inRange(-search::last_place, search::last_place);
+    CHECK(property::check([] {
+        const auto place = property::in_range(-search::last_place, search::last_place);
         const double x = search::at_place(place);
-        RC_ASSERT(std::isfinite(x));
-        RC_ASSERT(search::place_of(x) == place);
-        RC_ASSERT(search::at_place(place + 1) == std::nextafter(x, INFINITY));
+        PROPERTY_ASSERT(std::isfinite(x));
+        PROPERTY_ASSERT(search::place_of(x) == place);
+        PROPERTY_ASSERT(search::at_place(place + 1) == std::nextafter(x, INFINITY));
     }));
     CHECK(search::place_of(-0.0) == 0);
 }
