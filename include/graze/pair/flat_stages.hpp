@@ -1,11 +1,10 @@
-// The encounter of a ball with a flat shape by the later stages: double words, then integers. All of it is compiled
-// once per dimension and input type.
+// The encounter of a ball with a flat shape by the later stages: scaled doubles, double words, then integers. All of it
+// is compiled once per dimension and input type.
 #pragma once
 
 #include <graze/exact/approximate.hpp>
 #include <graze/machine/environment.hpp>
 #include <graze/number/bounded_word.hpp>
-#include <graze/pair/bounded_double.hpp>
 #include <graze/pair/flat_signs.hpp>
 #include <graze/pair/pair.hpp>
 #include <graze/pair/stage.hpp>
@@ -38,20 +37,12 @@ template <int N, class T, class Judge, class Guess = no_guess>
     return question == flat_question::what ? found : decision.with_feature(found);
 }
 
-// Plain doubles' answer, which may be wrong.
-struct plain_judge {
-    static constexpr bool has_roots = false;
-
-    template <class F, class X>
-    [[nodiscard]] int operator()(F f, const X& x) const noexcept {
-        return graze::sign(f(x));
-    }
-};
+// By doubles and a bound from these magnitudes.
 template <int N>
-[[nodiscard, gnu::noinline]] flat_answer guess_of(const flat_motion<N, double>& m) noexcept {
-    const auto way = way_of(m);
-    const plain_judge judge;
-    return flat_decision<N, double, plain_judge>(m, way, judge)();
+[[nodiscard, gnu::noinline]] flat_answer answer_by_filter(const flat_motion<N, double>& m, const magnitudes& s,
+                                                          flat_question question) noexcept {
+    const filtered_judge<N, double> judge{s};
+    return answer_of(m, judge, question);
 }
 
 struct word_judge {
@@ -65,18 +56,6 @@ struct word_judge {
     [[nodiscard]] int operator()(F f, const X& x) const noexcept {
         const bounded_word y = f(x);
         return y.has_certain_sign() ? graze::sign(y) : y.is_zero() ? 0 : open_sign;
-    }
-};
-// No sign of it is ever a certain 0.
-struct refined_judge {
-    static constexpr bool has_roots = false;
-
-    template <class F, class X>
-    [[nodiscard]] int operator()(F f, const X& x) const noexcept {
-        // A step loses less than 2^-1070; inputs below 2^3, a degree below 30 and fewer than 2^11 steps leave that
-        // below 2^-900.
-        const int s = bounded_double<53>(f(x)).certain_sign(0x1p-900);
-        return s != 0 ? s : open_sign;
     }
 };
 struct exact_judge {
@@ -144,17 +123,27 @@ struct scaled_row {
     explicit scaled_row(const T* row) noexcept : length(row, P::lengths), velocity(row + P::lengths, P::velocities) {}
 };
 
-// In numbers with a running error.
-template <class Number, class Judge, int N, class T>
-[[nodiscard, gnu::noinline]] flat_answer answer_by_bounds(const T* row, bool is_triangle,
-                                                          flat_question question) noexcept {
-    const scaled_row<ball_and_wall<N>, T> in(row);
-    if (!(in.length.plain && in.velocity.plain)) {
-        return {};
+// Of a pair that is out of the filter's range: scaled, and by the filter.
+template <int N, class In>
+[[nodiscard, gnu::noinline]] flat_answer answer_by_scaling(const In& in, bool is_triangle,
+                                                           flat_question question) noexcept {
+    const auto m = flat_motion_in<N, double>(in, is_triangle);
+    magnitudes s = magnitudes_of(m);
+    if (question == flat_question::clearance) {
+        forget_rest_in(s);
     }
-    const auto m = flat_motion_in<N, Number>(in, is_triangle);
-    const Judge judge;
-    const auto guess = [&] { return guess_of(flat_motion_in<N, double>(in, is_triangle)); };
+    return usable<double>(s) ? answer_by_filter(m, s, question) : flat_answer{};
+}
+
+// In double words with a running error. What doubles say is probable, whatever their bounds.
+template <int N, class In>
+[[nodiscard, gnu::noinline]] flat_answer answer_by_words(const In& in, bool is_triangle,
+                                                         flat_question question) noexcept {
+    const auto m = flat_motion_in<N, bounded_word>(in, is_triangle);
+    const word_judge judge;
+    const auto guess = [&] {
+        return answer_by_filter(flat_motion_in<N, double>(in, is_triangle), {0, 0, 0}, flat_question::feature);
+    };
     return judge(edges_span{}, edges_of(m)) == 1 ? answer_of(m, judge, question, guess) : flat_answer{};
 }
 
@@ -179,10 +168,11 @@ has_parallel_edges(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<
     return sign(graze::squared_norm(n)) == 0;
 }
 
-// The answer for a row of checked numbers. If edges are parallel it is not certain.
+// The answer for a row of checked numbers. filtered: whether the filter has tried. If edges are parallel the answer is
+// not certain.
 template <int N, class T, class Row>
 [[nodiscard, gnu::noinline]] constexpr flat_answer refine_flat(const Row& row, bool is_triangle, bool rests,
-                                                               flat_question question, stage& by) {
+                                                               bool filtered, flat_question question, stage& by) {
     constexpr bool has_words = has_error_free_doubles && !is_wide_integer<T>;
     if (rests && question != flat_question::clearance) {
         by = wider(by, stage::filter);
@@ -190,16 +180,18 @@ template <int N, class T, class Row>
     }
     if constexpr (has_words) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
-            flat_answer found =
-                answer_by_bounds<bounded_double<53>, refined_judge, N>(row.data(), is_triangle, question);
-            if (found.certain) {
-                by = wider(by, stage::refined);
-                return found;
-            }
-            found = answer_by_bounds<bounded_word, word_judge, N>(row.data(), is_triangle, question);
-            if (found.certain) {
-                by = wider(by, stage::double_word);
-                return found;
+            const scaled_row<ball_and_wall<N>, T> scaled(row.data());
+            if (scaled.length.plain && scaled.velocity.plain) {
+                flat_answer found = filtered ? flat_answer{} : answer_by_scaling<N>(scaled, is_triangle, question);
+                if (found.certain) {
+                    by = wider(by, stage::refined);
+                    return found;
+                }
+                found = answer_by_words<N>(scaled, is_triangle, question);
+                if (found.certain) {
+                    by = wider(by, stage::double_word);
+                    return found;
+                }
             }
         }
     }

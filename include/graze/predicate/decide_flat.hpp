@@ -6,21 +6,6 @@
 
 namespace graze::inline v0_1::detail {
 
-// Inputs are checked here, where doubles are not certain. Inputs out of the filter's range are not finite, or zero, or
-// merely unusual.
-template <int N, class T, class Shape>
-[[nodiscard, gnu::noinline]] constexpr flat_answer decide_flat_slowly(const ball<N, T>& b, const Shape& shape,
-                                                                      flat_question question, stage& by) {
-    check(b, "ball");
-    check(shape, name_of(shape));
-    const auto row = packed<ball_and_wall<N>>(b, shape);
-    const flat_answer found = refine_flat<N, T>(row, is_triangle<Shape>, is_zero(b.velocity), question, by);
-    if (!found.certain) {
-        tell_parallel_edges(rejecting{name_of(shape)});
-    }
-    return found;
-}
-
 // The first stage: the pair in doubles, and what they decide for certain.
 template <int N, class T>
 struct filtered_flat {
@@ -33,6 +18,22 @@ struct filtered_flat {
         : motion(computed_flat_motion(b, shape.corner, shape.edge, is_triangle<Shape>)), judge{magnitudes_of(motion)},
           in_range(usable<T>(judge.scales) && plain_radii(b.radius, b.radius)) {}
 };
+
+// Inputs are checked here, where doubles are not certain. Inputs out of the filter's range are not finite, or zero, or
+// merely unusual.
+template <int N, class T, class Shape>
+[[nodiscard, gnu::noinline]] constexpr flat_answer decide_flat_slowly(const ball<N, T>& b, const Shape& shape,
+                                                                      flat_question question, stage& by) {
+    check(b, "ball");
+    check(shape, name_of(shape));
+    const auto row = packed<ball_and_wall<N>>(b, shape);
+    const bool filtered = !std::is_constant_evaluated() && filtered_flat<N, T>(b, shape).in_range;
+    const flat_answer found = refine_flat<N, T>(row, is_triangle<Shape>, is_zero(b.velocity), filtered, question, by);
+    if (!found.certain) {
+        tell_parallel_edges(rejecting{name_of(shape)});
+    }
+    return found;
+}
 
 // by: the stage that decided.
 template <flat_question Question, int N, class T, class Shape>
