@@ -50,7 +50,7 @@ template <class I>
 
 [[nodiscard]] constexpr estimate operator-(const estimate& x) noexcept { return {-x.value, x.error, x.exponent}; }
 
-[[nodiscard]] constexpr estimate operator*(const estimate& x, const estimate& y) noexcept {
+[[nodiscard, gnu::noinline]] constexpr estimate operator*(const estimate& x, const estimate& y) noexcept {
     const double value = x.value * y.value;
     const double error =
         magnitude(x.value) * y.error + magnitude(y.value) * x.error + x.error * y.error + magnitude(value) * 0x1p-51;
@@ -59,7 +59,7 @@ template <class I>
 
 [[nodiscard]] constexpr bool is_zero(const estimate& x) noexcept { return x.value == 0 && x.error == 0; }
 
-[[nodiscard]] constexpr estimate operator+(const estimate& x, const estimate& y) noexcept {
+[[nodiscard, gnu::noinline]] constexpr estimate operator+(const estimate& x, const estimate& y) noexcept {
     if (is_zero(x) || is_zero(y)) { // the exponent of a zero means nothing
         return is_zero(x) ? y : x;
     }
