@@ -123,7 +123,7 @@ template <class Taker, moving B>
 [[nodiscard, gnu::always_inline]] inline bool contact_by_doubles(Taker& taken, encounter what, const B& a, const B& b,
                                                                  double mass_a, double mass_b, double time) noexcept {
     if (what == encounter::overlap) {
-        return with_best_products(overlap_by_doubles<Taker, B>{taken, a, b, mass_a, mass_b});
+        return with_fused_products(overlap_by_doubles<Taker, B>{taken, a, b, mass_a, mass_b}, false);
     }
     return with_fused_products(hit_by_doubles<Taker, B>{taken, a, b, mass_a, mass_b, time}, false);
 }
