@@ -1,5 +1,4 @@
-// Turns CORE's errors into exceptions. Must be included before everything else where CGAL is used (it is the first of
-// its precompiled headers, see CMakeLists.txt).
+// Turns CORE's errors into exceptions. Must be included before CGAL wherever CGAL is used.
 //
 // CORE::core_error writes a file Core_Diagnostics into the current directory and, for an error, ends the program.
 // Ordinary input leads there: to find the sign of a sum with a small quotient (below about 2^-60), CORE divides by an

@@ -1,4 +1,5 @@
 #include "../measure.hpp"
+#include "core_errors.hpp"
 #include "gmp_exact.hpp"
 #include "types.hpp"
 

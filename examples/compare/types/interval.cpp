@@ -1,4 +1,5 @@
 #include "../measure.hpp"
+#include "core_errors.hpp"
 #include "types.hpp"
 
 #include <graze/number/adapter/cgal.hpp>
