@@ -125,17 +125,6 @@ template <class T, int N, class U>
     return round_exactly<T>(e, mode);
 }
 
-// The time found of two balls, rounded to nearest if that leaves no doubt, else by all further stages.
-template <class T, int N, class U>
-[[nodiscard, gnu::always_inline]] inline T nearest_or_further(const event<N, U>& e, const time_in_doubles& found) {
-    const ends<double> interval = ends_of<T>(found.time);
-    const bool to_nearest = std::is_same_v<U, float> ? rounds_to_nearest() : adds_to_nearest();
-    if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
-        return static_cast<T>(interval.upper);
-    }
-    return round_further<T>(e, rounding::nearest);
-}
-
 // The time of two balls that do not overlap, near `time`, rounded to nearest: by doubles if that leaves no doubt.
 //
 // Only the rounding direction of the environment matters if the inputs become doubles as they are. Where subnormals are
@@ -143,22 +132,28 @@ template <class T, int N, class U>
 // - R²: less than 2^-700, while the error that is allowed for is at least 2^-99 (|Δx|² + R²) > 2^-299. A result that
 // these bounds leave in no doubt is no subnormal double; a subnormal float is compared with zero, and is in doubt where
 // it is read as zero. An input that is a subnormal float, up to 2^-126, must not be read as zero.
-template <class T, int N, class U>
+template <class T, int N, class U, class Step = time_of_row<N, U>>
 struct nearest_time {
     const event<N, U>* e;
     double time;
 
     template <bool Fused>
     [[nodiscard, gnu::always_inline]] T operator()(std::bool_constant<Fused> fused) const {
-        return nearest_or_further<T>(*e, time_of_row<N, U>{e->row.data(), time}(fused));
+        const auto found = Step{e->row.data(), time}(fused);
+        const ends<double> interval = ends_of<T>(found.time);
+        const bool to_nearest = std::is_same_v<U, float> ? rounds_to_nearest() : adds_to_nearest();
+        if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
+            return static_cast<T>(interval.upper);
+        }
+        return round_further<T>(*e, rounding::nearest);
     }
 };
 
 // The same where `time` may be far off.
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] T round_hard_time(const event<N, U>& e, double time) {
-    const auto found = with_fused_products(hard_time_of_row<N, U>{{e.row.data(), time}}, time_in_doubles{});
-    return nearest_or_further<T>(e, found);
+    const T nearest = with_fused_products(nearest_time<T, N, U, hard_time_of_row<N, U>>{&e, time}, T(-1));
+    return nearest < 0 ? round_further<T>(e, rounding::nearest) : nearest; // balls don't touch before 0
 }
 
 // The same for a double.
