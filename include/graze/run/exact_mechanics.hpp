@@ -35,7 +35,7 @@ struct exact_mechanics {
         return time_of_impact(a, other);
     }
 
-    [[nodiscard]] time_bounds meet_until(const state& a, const state& b, double latest) const {
+    [[nodiscard, gnu::always_inline]] time_bounds meet_until(const state& a, const state& b, double latest) const {
         const detail::enclosure found = detail::bounds_until(a, b, latest);
         return {found.lower(), found.upper()};
     }

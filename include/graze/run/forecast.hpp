@@ -114,7 +114,7 @@ class forecast : public lookout<M> {
     using lookout<M>::about;
     using lookout<M>::count;
     using lookout<M>::when;
-    using lookout<M>::earliest_of;
+    using typename lookout<M>::no_image;
     using lookout<M>::look;
 
     // Whether all balls fly alike and there are no planes or walls, so that nothing more will ever happen.
@@ -143,12 +143,11 @@ class forecast : public lookout<M> {
         for (int tries = 0; tries < 4 && !settled && surroundings_.look_around(a, f, now, scene_.gone(a), more);
              ++tries) {
             const double end = surroundings_.fresh_end(f, now);
-            const auto image_of = [&](std::size_t i, body b) { return surroundings_.fresh_image(i, b); };
-            const plan p = earliest_of(
-                a, end, [&](auto meet) { this->for_each_own(a, surroundings_.fresh(), image_of, true, meet); });
+            const plan p = this->look_ahead(a, end);
             if (!p.is_to_leave() || p.lower == end) {
                 surroundings_.make_room(a);
                 surroundings_.settle(a);
+                this->note_place(a);
                 this->note_change(a);
                 set(a, p);
                 return;
@@ -162,7 +161,7 @@ class forecast : public lookout<M> {
         if (scene_.is_periodic()) {
             this->refuse(a);
         }
-        const plan p = earliest_of(a, never, [&](auto meet) {
+        const plan p = this->template earliest_of<no_image>(a, never, [&](auto meet) {
             settled ? this->for_each_remaining(a, meet) : this->for_each_other(a, true, meet);
         });
         surroundings_.spread(a);
@@ -177,9 +176,9 @@ class forecast : public lookout<M> {
     // Writes what a may meet until `latest` to found_. Returns by when it certainly meets one of these.
     double gather(body a, double latest, bool has_changed) {
         double upper = never;
-        this->for_each_own(a, has_changed, [&](body b, image_index image) {
+        this->for_each_own(a, has_changed, [&](body b, const auto& image) {
             if (const time_bounds bounds = when(a, b, image, latest); bounds.lower <= latest && bounds.lower < never) {
-                find(a, b, image, bounds.lower);
+                find(a, b, this->index_of(a, b, image), bounds.lower);
                 upper = std::min(upper, bounds.upper);
             }
         });

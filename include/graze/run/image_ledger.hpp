@@ -25,7 +25,9 @@ class image_ledger {
     explicit image_ledger(std::size_t balls = 0) : entries_(balls) {}
 
     // How many periods ball a has gone back.
-    [[nodiscard]] image_index gone(body a) const noexcept { return get(a).gone; }
+    [[nodiscard]] image_index gone(body a) const noexcept {
+        return a < entries_.size() ? entries_[a].gone : image_index{};
+    }
     // How many periods there are between that image of b, a ball, plane or wall, and b itself, as a and b fly.
     [[nodiscard, gnu::always_inline]] image_index periods(body a, body b, image_index image) const noexcept {
         if (entries_.empty()) [[likely]] {

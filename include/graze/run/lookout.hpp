@@ -1,46 +1,47 @@
 // What one ball of a run may do next.
 #pragma once
 
-#include <graze/run/moving_scene.hpp>
+#include <graze/run/meeting_times.hpp>
 #include <graze/scene/remaining_pairs.hpp>
 #include <graze/scene/surroundings.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace graze::inline v0_1::detail {
-
-// The ball meets that image of b not before lower and, whatever it meets, not after upper; without b, it leaves its
-// shell at lower. contested: it may meet another body before it certainly meets b.
-struct plan {
-    double lower = std::numeric_limits<double>::max();
-    double upper = std::numeric_limits<double>::max();
-    body b = no_body;
-    image_index image{};
-    std::uint32_t count_b = 0;
-    bool contested = false;
-
-    [[nodiscard]] bool is_to_leave() const noexcept { return b == no_body; }
-};
 
 // A moving scene, and each ball's surroundings in it. A pair belongs to that one of its balls whose flight or list
 // changed last.
 template <mechanics M>
-class lookout {
+class lookout : public meeting_times<M> {
   public:
     static constexpr int dimension = M::dimension;
 
-    lookout(moving_scene<M> scene, bool with_cells) : scene_(std::move(scene)), with_cells_(with_cells) {}
+    lookout(moving_scene<M> scene, bool with_cells) : meeting_times<M>(std::move(scene)), with_cells_(with_cells) {}
 
-    [[nodiscard]] moving_scene<M>& scene() noexcept { return scene_; }
-    [[nodiscard]] const moving_scene<M>& scene() const noexcept { return scene_; }
     // Whether balls that had long been alone meet again, so that shells are worth their cost.
     [[nodiscard]] bool is_outdated() const noexcept { return remaining_.is_outdated(); }
 
+    // To be called when ball a has been brought back by a period, or has another shell.
+    void note_place(body a) noexcept {
+        if (a < offsets_.size()) {
+            offsets_[a] = surroundings_.place(a) - scene_.gone(a);
+        }
+    }
+
   protected:
-    static constexpr double never = std::numeric_limits<double>::max();
+    using meeting_times<M>::never;
+    using meeting_times<M>::scene_;
+    using meeting_times<M>::start_;
+    using typename meeting_times<M>::no_image;
+    using typename meeting_times<M>::listed_image;
 
     // Lays out the surroundings anew; nothing will happen before `now`.
     void look_out(double now) {
@@ -58,6 +59,10 @@ class lookout {
             }
         }
         remaining_ = {};
+        offsets_.resize(scene_.is_periodic() ? scene_.balls() : 0);
+        for (body a = 0; a < offsets_.size(); ++a) {
+            note_place(a);
+        }
         changed_.resize(scene_.balls());
         start_ = now;
         for (clock_ = 0; clock_ < scene_.balls(); ++clock_) {
@@ -85,40 +90,44 @@ class lookout {
     }
 
     [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
-    [[nodiscard]] std::uint32_t count(body b) const noexcept { return b < scene_.balls() ? scene_.count(b) : 0; }
 
-    // Bounds on when a and b meet; never, if they don't or it is certainly later than `latest`.
-    [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, image_index image, double latest) const {
-        constexpr time_bounds none{never, never};
-        if (scene_.have_just_met(a, b, image)) {
-            return none;
-        }
-        const time_bounds bounds =
-            b < a ? scene_.meet_until(b, a, image_index{} - image, latest) : scene_.meet_until(a, b, image, latest);
-        // not a number, or of mirrors, whose flights began before
-        return bounds.lower < never && !(bounds.upper < start_) ? bounds : none;
+    // The bodies on a list of a's for its shell at `place`, and their images as seen from there.
+    struct neighbours {
+        std::span<const body> bodies;
+        std::span<const image_code> images;
+        image_index place;
+    };
+    [[nodiscard]] neighbours listed(body a) const noexcept {
+        return {surroundings_.of(a), surroundings_.images_of(a), surroundings_.place(a)};
     }
-    // f(b, image) for the bodies that a may meet in its shell and whose pair belongs to a: all of them, if a has
-    // changed. image_of(i, b): the image of b, the i-th on the list, in a scene that has a period.
+    // f(b, image) for those of these bodies whose pair belongs to a: all of them, if a has changed.
     template <class Image, class F>
-    void for_each_own(body a, std::span<const body> list, Image image_of, bool has_changed, F f) const {
+    void for_each_own(body a, const neighbours& near, bool has_changed, F f) const {
         if (scene_.balls() > fit_into_cache) {
-            for (const body b : list) {
+            for (const body b : near.bodies) {
                 if (b < scene_.balls()) {
                     __builtin_prefetch(&changed_[b]);
                     scene_.fetch(b);
                 }
             }
         }
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const body b = list[i];
-            if (has_changed || b >= scene_.balls() || changed_[b] < changed_[a]) {
-                f(b, scene_.is_periodic() && scene_.has_images(b) ? image_of(i, b) : image_index{});
+        const image_index offset = near.place - scene_.gone(a);
+        for (std::size_t i = 0; i < near.bodies.size(); ++i) {
+            const body b = near.bodies[i];
+            const bool is_ball = b < scene_.balls();
+            if (!has_changed && is_ball && !(changed_[b] < changed_[a])) {
+                continue;
+            }
+            if constexpr (std::is_same_v<Image, no_image>) {
+                f(b, no_image{});
+            } else {
+                const image_index there = is_ball ? offset - offsets_[b] : offset;
+                f(b, listed_image{near.images[i] == 0 ? there : there + decoded(near.images[i])});
             }
         }
         for (const body b : surroundings_.everywhere()) {
             if (b != a && (has_changed || changed_[b] < changed_[a])) {
-                f(b, image_index{});
+                f(b, Image{});
             }
         }
     }
@@ -126,7 +135,7 @@ class lookout {
     void for_each_other(body a, bool has_changed, F f) const {
         for (body b = 0; b < scene_.bodies(); ++b) {
             if (b != a && (has_changed || b >= scene_.balls() || changed_[b] < changed_[a])) {
-                f(b, image_index{});
+                f(b, no_image{});
             }
         }
     }
@@ -137,55 +146,45 @@ class lookout {
             for_each_other(a, true, f);
             return;
         }
-        remaining_.for_each(a, alike(), [&](body b) { f(b, image_index{}); });
+        remaining_.for_each(a, alike(), [&](body b) { f(b, no_image{}); });
         for (body b = scene_.balls(); b < scene_.bodies(); ++b) {
-            f(b, image_index{});
+            f(b, no_image{});
         }
     }
     template <class F>
     void for_each_own(body a, bool has_changed, F f) const {
-        if (surroundings_.is_everywhere(a)) {
+        if (scene_.is_periodic()) {
+            for_each_own<listed_image>(a, listed(a), has_changed, f);
+        } else if (surroundings_.is_everywhere(a)) {
             for_each_other(a, has_changed, f);
         } else {
-            const auto image_of = [&](std::size_t i, body b) { return surroundings_.image(a, i, b); };
-            for_each_own(a, surroundings_.of(a), image_of, has_changed, f);
+            for_each_own<no_image>(a, listed(a), has_changed, f);
         }
     }
 
-    // The earliest event of a with the bodies that `each` passes on, or leaving its shell at `end`.
-    template <class Each>
-    [[nodiscard]] plan earliest_of(body a, double end, Each each) const {
-        plan p{never, end};
-        double second = never;
-        each([&](body b, image_index image) __attribute__((always_inline)) {
-            if (const time_bounds bounds = when(a, b, image, p.upper); bounds.lower < never) {
-                second = std::min(second, std::max(p.lower, bounds.lower));
-                if (bounds.lower < p.lower) {
-                    p.lower = bounds.lower;
-                    p.b = b;
-                    p.image = image;
-                }
-                p.upper = std::min(p.upper, bounds.upper);
-            }
-        });
-        if (p.upper < end || end == never) {
-            p.contested = second <= p.upper && second < never;
-            p.count_b = p.b < scene_.bodies() ? count(p.b) : 0;
-        } else {
-            p.lower = std::min(p.lower, end);
-            p.b = no_body;
-        }
-        return p;
-    }
     [[nodiscard]] plan look(body a, double now, bool has_changed) const {
         const shell_end<dimension> end = surroundings_.end(a, about(a), now, scene_.gone(a));
         if (!end.known) { // it has no shell
             return {now, never};
         }
-        return earliest_of(a, end.when, [&](auto f) { for_each_own(a, has_changed, f); });
+        if (scene_.is_periodic()) {
+            return this->template earliest_of<listed_image>(
+                a, end.when, [&](auto f) { for_each_own<listed_image>(a, listed(a), has_changed, f); });
+        }
+        return this->template earliest_of<no_image>(a, end.when, [&](auto f) {
+            surroundings_.is_everywhere(a) ? for_each_other(a, has_changed, f)
+                                           : for_each_own<no_image>(a, listed(a), has_changed, f);
+        });
+    }
+    // The same for a's next shell.
+    [[nodiscard]] plan look_ahead(body a, double end) const {
+        const neighbours near{surroundings_.fresh(), surroundings_.fresh_images(), surroundings_.fresh_place()};
+        return scene_.is_periodic() ? this->template earliest_of<listed_image>(
+                                          a, end, [&](auto f) { for_each_own<listed_image>(a, near, true, f); })
+                                    : this->template earliest_of<no_image>(
+                                          a, end, [&](auto f) { for_each_own<no_image>(a, near, true, f); });
     }
 
-    moving_scene<M> scene_;
     surroundings<dimension> surroundings_;
 
   private:
@@ -207,8 +206,8 @@ class lookout {
     remaining_pairs<dimension> remaining_;
     std::vector<std::uint64_t> changed_; // when a ball's flight or list has changed, counted by clock_
     std::uint64_t clock_ = 0;
+    std::vector<image_index> offsets_; // in a scene that has a period: of each ball's shell from its flight
     bool with_cells_;
-    double start_ = 0; // of the predictions
 };
 
 } // namespace graze::inline v0_1::detail

@@ -60,10 +60,14 @@ class moving_scene {
         return b < balls() ? scene_pair{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
+    // Whether one of two balls has met no other one since it met the other.
+    [[nodiscard, gnu::always_inline]] bool is_last_of_one(body a, body b) const noexcept {
+        return balls_.movers[a].last == b || balls_.movers[b].last == a;
+    }
     // Whether the two have just met: neither has had another event since, and both fly straight, so they part. Events
     // change nothing for an immovable ball; it meets each plane or wall once.
     [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, image_index image = {}) const noexcept {
-        if (b < balls() && balls_.movers[a].last != b && balls_.movers[b].last != a) [[likely]] {
+        if (b < balls() && !is_last_of_one(a, b)) [[likely]] {
             return false;
         }
         if (b >= balls() && balls_.movers[a].immovable) {
@@ -91,11 +95,12 @@ class moving_scene {
     // Bounds on when a and b meet, a < b; from the largest double on if they don't, or if the mechanics says that it is
     // certainly later than `latest`.
     [[nodiscard, gnu::always_inline]] time_bounds meet_until(body a, body b, image_index image, double latest) const {
-        if (b < balls()) {
-            return images_.meet_until(balls_.movers[a].state, balls_.movers[b].state, ledger_.periods(a, b, image),
-                                      latest);
-        }
-        return meet_standing(a, b, image);
+        return b < balls() ? meet_across(a, b, ledger_.periods(a, b, image), latest) : meet_standing(a, b, image);
+    }
+    // The same for two balls and the image that is some periods from b, as the two fly.
+    [[nodiscard, gnu::always_inline]] time_bounds meet_across(body a, body b, image_index periods,
+                                                              double latest) const {
+        return images_.meet_until(balls_.movers[a].state, balls_.movers[b].state, periods, latest);
     }
     // Where planes and walls are.
     [[nodiscard]] std::vector<standing_extent<dimension>> extents() const { return standing_.extents(rules()); }

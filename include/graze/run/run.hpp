@@ -250,6 +250,8 @@ bool run<M>::perform(listener observer) {
         grazed_.take_back(changing, a, d.what.count_a);
         grazed_.take_back(changing, b, d.what.count_b);
         changing.bounce(a, b, d.what.image, d.when, !d.chosen);
+        forecast_.note_place(a);
+        forecast_.note_place(two ? b : a);
         forecast_.forget();
         const double now = scene().rules().bounds(d.when).lower;
         if (!two || !changing[a].immovable) {
@@ -266,6 +268,8 @@ bool run<M>::perform(listener observer) {
         if (two) {
             changing.restore(b, before_b);
         }
+        forecast_.note_place(a);
+        forecast_.note_place(two ? b : a);
         throw;
     }
     forecast_.accept();

@@ -94,8 +94,13 @@ class centre_cells : public levelled_points<N> {
         }
         if (entries_.size() <= fit_into_cache) {
             l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
-                for (body b = heads_[key & (heads_.size() - 1)]; b != no_body; b = entries_[b].next) {
-                    offer({from, image, key, b}, own, f);
+                body b = heads_[key & (heads_.size() - 1)];
+                if (b == no_body) {
+                    return;
+                }
+                const image_index there = image;
+                for (; b != no_body; b = entries_[b].next) {
+                    offer(from, there, key, b, own, f);
                 }
             });
             return;
@@ -117,16 +122,17 @@ class centre_cells : public levelled_points<N> {
     void look_at_finer(const level& l, const point& x, double own, F& f) const {
         const auto [low, high] = l.cells_within(x, 1.001 * (own + std::ldexp(base_, l.power - 2)) + slack_);
         l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
-            l.finer.for_each(key, [&](body b) { offer({from, image, entries_[b].key, b}, own, f); });
+            l.finer.for_each(key, [&](body b) { offer(from, image, entries_[b].key, b, own, f); });
         });
     }
     // f(b, image) if b is in that cell and near.
     template <class F>
-    [[gnu::always_inline]] void offer(const cursor& c, double own, F& f) const {
-        if (const entry& e = entries_[c.next]; e.key == c.key) {
+    [[gnu::always_inline]] void offer(const point& from, const image_index& image, std::uint64_t key, body b,
+                                      double own, F& f) const {
+        if (const entry& e = entries_[b]; e.key == key) {
             const double far = (own + e.reach) * (1 + 0x1p-30) + slack_;
-            if (!(graze::squared_norm(e.at - c.from) > far * far)) {
-                f(c.next, c.image);
+            if (!(graze::squared_norm(e.at - from) > far * far)) {
+                f(b, image);
             }
         }
     }
@@ -136,7 +142,7 @@ class centre_cells : public levelled_points<N> {
         while (count > 0) {
             for (std::size_t i = 0; i < count;) {
                 cursor& c = lists[i];
-                offer(c, own, f);
+                offer(c.from, c.image, c.key, c.next, own, f);
                 const body next = entries_[c.next].next;
                 if (next == no_body) {
                     c = lists[--count];

@@ -12,17 +12,21 @@
 
 namespace graze::inline v0_1::detail {
 
-// Few whole periods along each axis, a byte for each.
+// Few whole periods along each axis, as x + 2^10 y + 2^20 z modulo 2^32: 0 stands for none, and -n for those back.
 using image_code = std::uint32_t;
 
 inline constexpr std::int32_t most_periods = 100;
-[[nodiscard]] constexpr image_code coded(image_index x) noexcept {
-    return static_cast<image_code>(x[0] + 128) | static_cast<image_code>(x[1] + 128) << 8 |
-           static_cast<image_code>(x[2] + 128) << 16;
+[[nodiscard]] constexpr image_code coded(const whole_periods& x) noexcept {
+    return static_cast<image_code>(x[0]) + (static_cast<image_code>(x[1]) << 10) +
+           (static_cast<image_code>(x[2]) << 20);
 }
 [[nodiscard]] constexpr image_index decoded(image_code x) noexcept {
-    return whole_periods{static_cast<std::int32_t>(x & 255) - 128, static_cast<std::int32_t>(x >> 8 & 255) - 128,
-                         static_cast<std::int32_t>(x >> 16 & 255) - 128};
+    whole_periods all{};
+    for (std::int32_t& n : all) {
+        n = static_cast<std::int32_t>(x << 22) >> 22;
+        x = static_cast<image_code>(static_cast<std::int32_t>(x - static_cast<image_code>(n)) >> 10);
+    }
+    return all;
 }
 
 // Lists of bodies, in one piece of memory. If one ball is on another's list, the other is on its list. image: which of

@@ -56,14 +56,16 @@ class surroundings {
     [[nodiscard]] bool is_everywhere(body a) const noexcept { return shells_[a].everywhere; }
     [[nodiscard]] std::span<const body> everywhere() const noexcept { return everywhere_; }
     [[nodiscard]] std::span<const body> of(body a) const noexcept { return lists_.of(a); }
-    // In a periodic space: the image that may be near of b, the i-th on a's list (or on that for its next shell),
-    // counted as in `predicted`.
-    [[nodiscard, gnu::always_inline]] image_index image(body a, std::size_t i, body b) const noexcept {
+    // In a periodic space: the image that may be near of b, the i-th on a's list, counted as in `predicted`.
+    [[nodiscard]] image_index image(body a, std::size_t i, body b) const noexcept {
         return decoded(lists_.images_of(a)[i]) + shells_[a].place - (b < balls_ ? shells_[b].place : image_index{});
     }
-    [[nodiscard]] image_index fresh_image(std::size_t i, body b) const noexcept {
-        return decoded(fresh_images_[i]) + next_.place - (b < balls_ ? shells_[b].place : image_index{});
-    }
+    // In a periodic space: which images of these may be near, as seen from the shell. [place]
+    [[nodiscard]] std::span<const image_code> images_of(body a) const noexcept { return lists_.images_of(a); }
+    [[nodiscard]] std::span<const image_code> fresh_images() const noexcept { return fresh_images_; }
+    // In which period the centre of a's shell is, or that of its next one.
+    [[nodiscard]] image_index place(body a) const noexcept { return shells_[a].place; }
+    [[nodiscard]] image_index fresh_place() const noexcept { return next_.place; }
     // Until when a ball in flight is in its shell. gone: how many periods it has gone back.
     [[nodiscard]] shell_end<N> end(body a, const flight<N, double>& f, double now,
                                    image_index gone = {}) const noexcept {
@@ -139,7 +141,7 @@ class surroundings {
             const image_code image = is_periodic() ? fresh_images_[i] : 0;
             lists_.add(a, b, image);
             if (b < balls_) {
-                lists_.add(b, a, is_periodic() ? coded(image_index{} - decoded(image)) : 0);
+                lists_.add(b, a, 0 - image);
             }
         }
     }
