@@ -123,8 +123,7 @@ template <class Taker, moving B>
     const auto& first = as_flight(a);
     const auto& second = as_flight(b);
     const words_of_contact w =
-        with_fused_products(contact_in_words<Taker, dimension_of<B>>{taken, first, second, mass_a, mass_b},
-                            words_of_contact{undecided, true});
+        with_best_products(contact_in_words<Taker, dimension_of<B>>{taken, first, second, mass_a, mass_b});
     if (w.what == static_cast<int>(encounter::overlap)) {
         (void)contact_by_doubles(taken, encounter::overlap, a, b, mass_a, mass_b, 0);
     }

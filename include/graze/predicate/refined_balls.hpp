@@ -111,7 +111,7 @@ template <moving B>
 [[nodiscard, gnu::noinline]] refined_encounter refine_in_words(const B& a, const B& b) noexcept {
     if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest()) {
-            return {with_fused_products(encounter_in_words<B>{&a, &b}, undecided), stage::double_word};
+            return {with_best_products(encounter_in_words<B>{&a, &b}), stage::double_word};
         }
     }
     return {};
@@ -137,11 +137,11 @@ template <moving B>
         return keeps_subnormals() ? distance_further(in_doubles(a), in_doubles(b)) : open;
     } else if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest()) {
-            if (const int s = with_fused_products(distance_in_words<B>{&a, &b}, open); s != open) {
+            if (const int s = with_best_products(distance_in_words<B>{&a, &b}); s != open) {
                 return s;
             }
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
-                return with_fused_products(distance_in_words<B>{&s.a, &s.b}, open);
+                return with_best_products(distance_in_words<B>{&s.a, &s.b});
             }
         }
     }

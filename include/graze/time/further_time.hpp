@@ -28,14 +28,13 @@ struct approach_in_words {
     further_time* kept;
 
     template <bool Fused>
-    [[gnu::always_inline]] bool operator()(std::bool_constant<Fused>) const noexcept {
+    [[gnu::always_inline]] void operator()(std::bool_constant<Fused>) const noexcept {
         const word_approach<Fused, flight<N, double>> w(*a, *b);
         kept->what = w.what;
         kept->decided_by = stage::double_word;
         kept->good = w.good;
         kept->in_range = w.in_range;
         kept->time = on_clock_of(*a, *b, {w.time.high, w.time.low, (1 + 0x1p-40) * w.time_error});
-        return true;
     }
 };
 
@@ -124,7 +123,7 @@ template <moving B>
 [[gnu::always_inline]] inline void words_time(further_time& r, const B& a, const B& b) noexcept {
     const auto& x = as_flight(a);
     const auto& y = as_flight(b);
-    static_cast<void>(with_fused_products(approach_in_words<dimension_of<B>>{&x, &y, &r}, false));
+    with_best_products(approach_in_words<dimension_of<B>>{&x, &y, &r});
 }
 
 // What has been tried before: the filter alone, or a step from an enclosure's time as well. `time`: the movers hit, and
