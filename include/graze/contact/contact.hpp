@@ -41,7 +41,6 @@ struct wall_contact {
 
 namespace detail {
 
-// x, with a zero as +0: by its bits, since with -fno-signed-zeros x + 0 and x == 0 ? 0 : x are x.
 // A contact of zeros. Where the compiler sees that they are zeros it clears them by an instruction that takes longer
 // than storing each.
 template <int N, class T>
@@ -53,6 +52,7 @@ struct zero_contact {
     }
 };
 
+// x, with a zero as +0: by its bits, since with -fno-signed-zeros x + 0 and x == 0 ? 0 : x are x.
 template <class T>
 [[nodiscard]] constexpr T with_plain_zero(const T& x) noexcept {
     return from_bits<T>(is_zero(x) ? 0 : bits_of(x), false);
