@@ -5,6 +5,7 @@
 // u_a + φ n cancels all of u_a that is along n; this does not. u = 2^-53.
 #pragma once
 
+#include <graze/contact/components.hpp>
 #include <graze/contact/lane_steps.hpp>
 #include <graze/time/word_approach.hpp>
 
