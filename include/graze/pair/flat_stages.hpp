@@ -196,8 +196,22 @@ has_parallel_edges(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<
     return sign(graze::squared_norm(n)) == 0;
 }
 
-// The answer for a row of checked numbers. filtered: whether the filter has tried. If edges are parallel the answer is
-// not certain.
+// Of a row of checked numbers by scaled or refined doubles, then by double words. filtered: whether the filter has
+// tried.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] flat_answer answer_by_scaled(const T* row, bool is_triangle, bool filtered,
+                                                          flat_question question, stage& by) noexcept {
+    const scaled_row<ball_and_wall<N>, T> scaled(row);
+    if (!(scaled.length.plain && scaled.velocity.plain)) {
+        return {};
+    }
+    const flat_answer found = filtered ? answer_by_refining<N>(scaled, is_triangle, question)
+                                       : answer_by_scaling<N>(scaled, is_triangle, question);
+    by = wider(by, found.certain ? stage::refined : stage::double_word);
+    return found.certain ? found : answer_by_words<N>(scaled, is_triangle, question);
+}
+
+// The answer for a row of checked numbers. If edges are parallel it is not certain.
 template <int N, class T, class Row>
 [[nodiscard, gnu::noinline]] constexpr flat_answer refine_flat(const Row& row, bool is_triangle, bool rests,
                                                                bool filtered, flat_question question, stage& by) {
@@ -208,19 +222,9 @@ template <int N, class T, class Row>
     }
     if constexpr (has_words) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
-            const scaled_row<ball_and_wall<N>, T> scaled(row.data());
-            if (scaled.length.plain && scaled.velocity.plain) {
-                flat_answer found = filtered ? answer_by_refining<N>(scaled, is_triangle, question)
-                                             : answer_by_scaling<N>(scaled, is_triangle, question);
-                if (found.certain) {
-                    by = wider(by, stage::refined);
-                    return found;
-                }
-                found = answer_by_words<N>(scaled, is_triangle, question);
-                if (found.certain) {
-                    by = wider(by, stage::double_word);
-                    return found;
-                }
+            const flat_answer found = answer_by_scaled<N, T>(row.data(), is_triangle, filtered, question, by);
+            if (found.certain) {
+                return found;
             }
         }
     }
