@@ -107,14 +107,16 @@ template <class B>
         const double later = power_of_two(up - faster);
         r.a.since = as_stored(as_stored(a.since) * later);
         r.b.since = as_stored(as_stored(b.since) * later);
+        r.safe = !is_subnormal(a.since) && !is_subnormal(b.since); // `later` may make it as large as a length
     } else {
         put(r.a, a);
         put(r.b, b);
+        r.safe = true;
     }
     r.length = -up;
     r.velocity = -faster;
     r.known = true;
-    r.safe = std::min(length, velocity) > 0x1p-900;
+    r.safe = r.safe && std::min(length, velocity) > 0x1p-900;
     return r;
 }
 

@@ -148,9 +148,9 @@ outcome run<M>::go_on(const run_limits<number>& limits, listener observer) {
             stop(jams_.around(stuck), done);
             continue;
         }
+        done.choices += d.chosen ? 1 : 0;
         const bool goes_on = perform(observer);
         ++done.events;
-        done.choices += simultaneous_[next_ - 1].chosen ? 1 : 0;
         if (!goes_on) {
             done.why = ending::stopped;
             return done;

@@ -52,8 +52,9 @@ template <class T>
     return {nearest, !doubtful};
 }
 
-// x 2^scale rounded to nearest, x > 0, by one comparison of its ends, if x is a normal number of T and the result is no
-// subnormal one; for floats only if nothing is scaled. Below 2^-1076 it is rounded to 0, from 2^1024 on to infinity.
+// x 2^scale rounded to nearest by one comparison of its ends, if x is a normal number of T and the result is no
+// subnormal one; for floats only if nothing is scaled. Positive results below 2^-1076 are rounded to 0, from 2^1024 on
+// to infinity. On the clock of a flight a time may be negative; it does not overflow then.
 template <class T>
 [[nodiscard]] inline certain_number<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {
     if (scale == 0 || std::is_same_v<T, double>) {
@@ -63,12 +64,13 @@ template <class T>
                 return {static_cast<T>(interval.upper), true};
             }
             const std::uint64_t bits = bits_of(interval.upper);
-            const int exponent = static_cast<int>(bits >> 52 & 0x7ff) + scale;
-            if (0 < exponent && exponent < 0x7ff) {
+            const int unscaled = static_cast<int>(bits >> 52 & 0x7ff);
+            const int exponent = unscaled + scale;
+            if (0 < exponent && exponent < 0x7ff && unscaled != 0) {
                 const auto shift = static_cast<std::uint64_t>(static_cast<std::int64_t>(scale)) << 52;
                 return {static_cast<T>(std::bit_cast<double>(bits + shift)), true};
             }
-            if (exponent < -53 || exponent >= 0x7ff) {
+            if ((exponent < -53 || exponent >= 0x7ff) && unscaled != 0 && bits >> 63 == 0) {
                 return {exponent < 0 ? T(0) : std::numeric_limits<T>::infinity(), true};
             }
         }
