@@ -37,6 +37,20 @@ std::vector<pair> drawn() {
         }
         all.push_back(p);
     }
+    // The time is negative and rounded to zero.
+    const double early = -0x1p-1074;
+    all.push_back(
+        {{{{{-0x1.0000000000003p-722, -0x1.3bdc784f08a12p-748, 0}}, {{0x1.f553168c136f3p+301, 0, 0}}, 0x1p-723}, early},
+         {{{{0, 0, 0}}, {{0, 0, 0}}, 0x1p-723}, early}});
+    // An epoch that a mode reads as zero, in which a ball flies as far as the two are apart.
+    all.push_back({{{{{0x1.504ce87e3f122p+0, 0x1.635d2e6d9d18cp+0, 0}},
+                     {{-0x1.d5784284e1bd8p+1019, 0x1.619615360dc1p+1021, 0}},
+                     0x1.dc1eb5bbc2ed4p-4},
+                    0x0.a91ad062e3524p-1022},
+                   {{{{0x1.a7299fd90946p-2, 0x1.41359e041508ep+0, 0}},
+                     {{0x1.e3183d479fd74p+1021, 0x1.af1f130f0a556p+1021, 0}},
+                     0x1.90ac46596c4cp-5},
+                    0}});
     return all;
 }
 

@@ -156,6 +156,21 @@ TEST_CASE("a point comes out of a wedge of walls on the side from which it came"
     CHECK(last_velocity(s)[0] > 4 * last_velocity(s)[1]);
 }
 
+TEST_CASE("a point that is given its own or the opposite velocity in a corner stays on its side of both walls") {
+    const std::vector<graze::ball<2>> point{{{{1, 1}}, {{-1, -1}}, 0, 1}};
+    const std::vector<graze::wall<2>> walls{{{{0, 0}}, {{{{0, 4}}}}}, {{{0, 0}}, {{{{4, 0}}}}}};
+    for (const double sense : {1.0, -1.0}) {
+        graze::run<graze::exact_mechanics<2>> run(graze::scene<2>{point, {}, walls});
+        REQUIRE(run.advance({.events = 1}).events == 1);
+        run.restate([&](std::size_t, auto state) {
+            state.state.velocity = sense * state.state.velocity;
+            return state;
+        });
+        CHECK(run.advance({.events = 9}).events == 1);
+        CHECK(run.in_flight(0).state.velocity == graze::vec<2, double>{{1, 1}});
+    }
+}
+
 TEST_CASE("a point does not leave a box of slanted walls, aimed at its corners too") {
     CHECK(property::check([] {
         // Corners at ±(p, q) and ±(q, -p) times 2^-4; its sides are exact, points on them are not.

@@ -72,11 +72,13 @@ class junction {
         head(after);
     }
 
-    // f(standing, side) with the sides on which the point leaves the planes and walls here.
+    // f(standing, side) with the sides on which the point leaves the planes and walls here. What it would have met next
+    // it leaves on the side from which it comes.
     template <class F>
     void leave(const direction& u, F f) const {
         for (const cone<N, X>& c : cones_) {
-            const int heading = is_of(c, left_) ? 0 : graze::sign(graze::dot(u, c.normal));
+            const bool keeps = is_of(c, left_) || (is_of(c, next_) && c.side != 0);
+            const int heading = keeps ? 0 : graze::sign(graze::dot(u, c.normal));
             if (const int side = heading != 0 ? heading : c.side; side != 0) {
                 f(c.standing, side);
             }
