@@ -171,6 +171,18 @@ TEST_CASE("a point that is given its own or the opposite velocity in a corner st
     }
 }
 
+// Its height is rounded to that of the floor beside the seam that it really meets.
+TEST_CASE("a point that a wall turns back above the seam of two floors meets the floor") {
+    const std::vector<graze::ball<3>> point{
+        {{{-2.3333333333333335, 3.666666666666667, 11.666666666666666}}, {{4, 4, 4}}, 0, 1}};
+    const graze::wall<3> wall{{{-6, 8, 10}}, {{{{16, 0, 0}}, {{0, 0, 8}}}}};
+    const point_scene<3> whole{point, {wall, {{{-6, 0, 16}}, {{{{16, 0, 0}}, {{0, 8, 0}}}}}}};
+    const point_scene<3> halves{
+        point, {wall, {{{-6, 0, 16}}, {{{{8, 0, 0}}, {{0, 8, 0}}}}}, {{{2, 0, 16}}, {{{{8, 0, 0}}, {{0, 8, 0}}}}}}};
+    CHECK(bounces_of<3>(whole, 9).back().velocity[2] == -4);
+    CHECK(bounces_of<3>(halves, 9).back().velocity[2] == -4);
+}
+
 TEST_CASE("a point does not leave a box of slanted walls, aimed at its corners too") {
     CHECK(property::check([] {
         // Corners at ±(p, q) and ±(q, -p) times 2^-4; its sides are exact, points on them are not.

@@ -34,15 +34,14 @@ template <mechanics M>
                 const int passed = m.order(when, m.reach(before, s));
                 side = passed > 0 ? -side : passed < 0 ? side : 0; // beside b, whose plane it may just have reached
             }
-            if (side == 0 || m.side(x, s) == side || !standing.is_at(m, b, standing.crossing(m, b, x, before))) {
+            if (side == 0 || m.side(x, s) == side) {
                 return 0;
             }
-            // From where it really met `met`, it may come back to b's plane beside b.
+            // Where it comes back to b's plane from where it really met `met`, else where it has passed that plane.
             const bool comes_back = met.is_any() && m.heading(x, s) * side < 0;
-            return !comes_back ||
-                           standing.is_at(m, b, standing.crossing(m, b, standing.crossing(m, met, before, before), x))
-                       ? side
-                       : 0;
+            const auto place = comes_back ? standing.crossing(m, b, standing.crossing(m, met, before, before), x)
+                                          : standing.crossing(m, b, x, before);
+            return standing.is_at(m, b, place) ? side : 0;
         }
     });
 }
