@@ -5,6 +5,7 @@
 #pragma once
 
 #include <graze/machine/accurate_sum.hpp>
+#include <graze/machine/lanes.hpp>
 #include <graze/predicate/refined_balls.hpp>
 #include <graze/time/sharp_discriminant.hpp>
 #include <graze/time/word_cross.hpp>
