@@ -21,7 +21,7 @@ graze_add_compare_program(compare_own TYPES own::thirty_bits HEADERS own_number.
 add_test(NAME compare_own COMMAND "${CMAKE_COMMAND}" -D "PROGRAM=$<TARGET_FILE:compare_own>"
     -D "WORK=${CMAKE_CURRENT_BINARY_DIR}/own.work" -P "${CMAKE_CURRENT_SOURCE_DIR}/own.cmake")
 
-# The program on every scene, with numbers as written and as doubles.
+# The program on every scene, with numbers as written; in the matrix as doubles too.
 file(GLOB scenes CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/scenes/*.json")
 foreach(scene IN LISTS scenes)
     get_filename_component(name "${scene}" NAME_WE)
@@ -32,4 +32,5 @@ foreach(scene IN LISTS scenes)
         set_tests_properties(compare_scene_${name}_${numbers} PROPERTIES TIMEOUT 300
             PASS_REGULAR_EXPRESSION "cheapest")
     endforeach()
+    set_tests_properties(compare_scene_${name}_double PROPERTIES LABELS matrix)
 endforeach()
