@@ -161,7 +161,7 @@ class forecast : public lookout<M> {
         if (scene_.is_periodic()) {
             this->refuse(a);
         }
-        const plan p = this->template earliest_of<no_image>(a, never, [&](auto meet) {
+        const plan p = this->template earliest_of<no_image>(a, never, [&](const double&, auto meet) {
             settled ? this->for_each_remaining(a, meet) : this->for_each_other(a, true, meet);
         });
         surroundings_.spread(a);
@@ -176,7 +176,7 @@ class forecast : public lookout<M> {
     // Writes what a may meet until `latest` to found_. Returns by when it certainly meets one of these.
     double gather(body a, double latest, bool has_changed) {
         double upper = never;
-        this->for_each_own(a, has_changed, [&](body b, const auto& image) {
+        this->for_each_own(a, has_changed, latest, [&](body b, const auto& image) {
             if (const time_bounds bounds = when(a, b, image, latest); bounds.lower <= latest && bounds.lower < never) {
                 find(a, b, this->index_of(a, b, image), bounds.lower);
                 upper = std::min(upper, bounds.upper);

@@ -73,23 +73,24 @@ class meeting_times {
     }
 
     // The earliest event of a with the bodies that `each` passes on, each with an image of that type, or leaving its
-    // shell at `end`.
+    // shell at `end`. What certainly comes after the time that `each` is given may be left out.
     template <class Image, class Each>
     [[nodiscard]] plan earliest_of(body a, double end, Each each) const {
         plan p{never, end};
         Image best{};
         double second = never;
-        each([&](body b, const Image& image) __attribute__((always_inline)) {
-            if (const time_bounds bounds = when(a, b, image, p.upper); bounds.lower < never) {
-                second = std::min(second, std::max(p.lower, bounds.lower));
-                if (bounds.lower < p.lower) {
-                    p.lower = bounds.lower;
-                    p.b = b;
-                    best = image;
+        each(
+            p.upper, [&](body b, const Image& image) __attribute__((always_inline)) {
+                if (const time_bounds bounds = when(a, b, image, p.upper); bounds.lower < never) {
+                    second = std::min(second, std::max(p.lower, bounds.lower));
+                    if (bounds.lower < p.lower) {
+                        p.lower = bounds.lower;
+                        p.b = b;
+                        best = image;
+                    }
+                    p.upper = std::min(p.upper, bounds.upper);
                 }
-                p.upper = std::min(p.upper, bounds.upper);
-            }
-        });
+            });
         if (p.upper < end || end == never) {
             p.contested = second <= p.upper && second < never;
             if (p.b != no_body) {

@@ -43,11 +43,6 @@ class moving_scene {
     [[nodiscard]] body bodies() const noexcept { return standing_.end(); }
     [[nodiscard]] mover<state>& operator[](body a) noexcept { return balls_.movers[a]; }
     [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return balls_.movers[a]; }
-    // Prefetches a ball that will soon be looked at.
-    void fetch(body a) const noexcept {
-        __builtin_prefetch(&balls_.movers[a]);
-        __builtin_prefetch(&balls_.movers[a].last); // at the other end
-    }
     // The number of a ball's events; a prediction made with another count is stale. An immovable ball's count never
     // changes.
     [[nodiscard]] std::uint32_t count(body a) const noexcept { return counts_[a]; }

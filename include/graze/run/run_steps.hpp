@@ -162,6 +162,7 @@ void stop_jam(forecast<M>& ahead, const jammed_bodies& jam, double now) {
     for (const body b : jam) {
         if (is_ball(b) && !scene[b].immovable) {
             scene.stop(b, mirror != jam.end() ? *mirror : no_body);
+            ahead.note_place(b);
         }
     }
     ahead.forget();

@@ -5,21 +5,28 @@
 
 namespace graze::inline v0_1::detail {
 
+// By how much c + 2hT may be off at most, T = left.
+//
+// Of the values here, with the filter's scales L and V = √a, the error of c is at most K_c L², that of 2hT at most 2T
+// K_h L V <= K_h (L² + a T²). T itself is rounded once, by 2^-52 of it, and so is each of the products and the sum:
+// 2^-52 (2|h|T + 3 (|c| + 2|h|T)) <= 2^-52 (7 L² + 4 a T²), since |c| <= L² and 2|h|T <= 2LVT <= L² + a T². 2^-48 in
+// place of 7 2^-52 covers the roundings of the bound.
+template <class Constants>
+[[nodiscard, gnu::always_inline]] inline double error_until(double a, double length2, double left) noexcept {
+    constexpr double k = Constants::c + Constants::h + 0x1p-48;
+    return k * (length2 + a * (left * left));
+}
+
 // Whether the two flights of the filter f, which are not certainly parting, certainly don't meet until `latest`.
 //
 // From the later start on for a time T the quadratic a t² + 2ht + c is, for h < 0, at least c + 2hT: where that is
-// positive nothing is met. Of the values here, with the filter's scales L and V = √a, the error of c is at most K_c L²,
-// that of 2hT at most 2T K_h L V <= K_h (L² + a T²). T itself is rounded once, by 2^-52 of it, and so is each of the
-// products and the sum: 2^-52 (2|h|T + 3 (|c| + 2|h|T)) <= 2^-52 (7 L² + 4 a T²), since |c| <= L² and 2|h|T <= 2LVT <=
-// L² + a T². 2^-48 in place of 7 2^-52 covers the roundings of the bound.
+// positive nothing is met.
 template <class F, int N, class T>
 [[nodiscard, gnu::always_inline]] inline bool is_beyond(const F& f, const flight<N, T>& a, const flight<N, T>& b,
                                                         double latest) {
-    using constant = filter_of<flight<N, T>>;
     const double left =
         latest - static_cast<double>(as_stored(as_stored(a.since) < as_stored(b.since) ? b.since : a.since));
-    constexpr double k = constant::c + constant::h + 0x1p-48;
-    return f.q.c + 2 * f.q.h * left > k * (f.length2 + f.q.a * (left * left));
+    return f.q.c + 2 * f.q.h * left > error_until<filter_of<flight<N, T>>>(f.q.a, f.length2, left);
 }
 
 // Doubles between which the time of two flights lies; the largest double and up if they don't meet, or certainly don't
