@@ -32,18 +32,6 @@ template <class A, class B>
     return r;
 }
 
-// A ball with that radius only: the caller reads nothing else.
-template <ball_like B>
-[[nodiscard]] constexpr auto size_of(const B& b) {
-    decltype(shape_of(b)) r{};
-    if constexpr (requires { r.state; }) {
-        r.state.radius = ball_access<B>::radius(b);
-    } else {
-        r.radius = ball_access<B>::radius(b);
-    }
-    return r;
-}
-
 // Two balls of one floating-point type, or two flights.
 template <class A, class B>
 concept filtered_pair = ball_like<A> && ball_like<B> && requires(const A& a, const B& b) {
@@ -59,11 +47,9 @@ requires foreign_pair<A, B>
                                                                       Observer&& observer = {}) {
     if constexpr (detail::filtered_pair<A, B>) {
         if (!std::is_constant_evaluated()) {
-            if (detail::has_usual_size(detail::size_of(a), detail::size_of(b))) [[likely]] {
-                if (const auto f = detail::start_filter(shape_of(a), shape_of(b)).finish(); f.certain) [[likely]] {
-                    observer(stage::filter);
-                    return f.what();
-                }
+            if (const auto f = detail::filter_movers(shape_of(a), shape_of(b)); f.certain) [[likely]] {
+                observer(stage::filter);
+                return f.what();
             }
         }
     }

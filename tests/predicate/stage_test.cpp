@@ -74,7 +74,7 @@ TEST_CASE("Two balls") {
     expect(hit, stage::filter, at(0x1p-1070, 0, 0, -1, 0, 0, 0x1p-1074), at(0, 0, 0, 0, 0, 0, 0x1p-1074));
     const double huge = std::numeric_limits<double>::max();
     // Differences that overflow are scaled before they are taken.
-    expect(hit, stage::refined, at(huge, 0, 0, -huge, 0, 0, huge), at(-huge, 0, 0, huge, 0, 0, 1));
+    expect(hit, stage::filter, at(huge, 0, 0, -huge, 0, 0, huge), at(-huge, 0, 0, huge, 0, 0, 1));
     expect(hit, stage::double_word, at(5 * 0x1p-600, 2 * down * 0x1p-600, 0, -1, 0, 0, 0x1p-600),
            at(0, 0, 0, 0, 0, 0, 0x1p-600));
     expect(hit, stage::exact, at(0x1p600, 0, 0, -1, 0, 0), rest); // R² underflows next to L²

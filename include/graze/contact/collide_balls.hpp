@@ -143,7 +143,7 @@ contact_of_filtered(const filtered_balls& f, const B& a, const B& b, stage& by) 
 template <moving B>
 [[nodiscard]] constexpr optional_contact<B> collide_movers(const B& a, const B& b, stage& by) {
     if (!std::is_constant_evaluated() && has_usual_size(a, b)) [[likely]] {
-        if (const auto f = start_filter(a, b).finish(); f.certain) [[likely]] {
+        if (const auto f = start_filter(a, b, true).finish(); f.certain) [[likely]] {
             check_masses_of(a, b);
             if (!is_collision(f.what())) {
                 by = stage::filter;

@@ -54,10 +54,14 @@ template <int Power, class S>
 // Whether x is a positive number in [2^Low, 2^High), by one comparison of its bits. False for zeros, negative numbers
 // and NaNs, in any floating-point environment.
 template <int Low, int High>
-[[nodiscard]] constexpr bool within_powers(double x) noexcept {
+[[nodiscard]] constexpr bool bits_within_powers(std::uint64_t bits) noexcept {
     constexpr std::uint64_t low = static_cast<std::uint64_t>(1023 + Low) << 52;
     constexpr std::uint64_t high = static_cast<std::uint64_t>(1023 + High) << 52;
-    return std::bit_cast<std::uint64_t>(x) - low < high - low;
+    return bits - low < high - low;
+}
+template <int Low, int High>
+[[nodiscard]] constexpr bool within_powers(double x) noexcept {
+    return bits_within_powers<Low, High>(std::bit_cast<std::uint64_t>(x));
 }
 
 } // namespace detail

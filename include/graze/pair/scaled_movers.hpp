@@ -3,6 +3,7 @@
 
 #include <graze/exact/approximate.hpp>
 #include <graze/exact/binary.hpp>
+#include <graze/filter/static_filter.hpp>
 #include <graze/machine/environment.hpp>
 #include <graze/machine/fence.hpp>
 #include <graze/pair/computed_motion.hpp>
@@ -46,29 +47,31 @@ template <int N>
 
 // The power of two by which a number is multiplied to be within [1, 2), or less if it is subnormal. Of a number from
 // 2^1023 on it is 0 or no power at all.
-[[nodiscard, gnu::always_inline]] inline double factor_to_unit(double largest) noexcept {
-    return std::bit_cast<double>((std::uint64_t{2046} << 52) - (bits_of(largest) & std::uint64_t{0x7ff} << 52));
+[[nodiscard, gnu::always_inline]] inline double factor_to_unit(std::uint64_t largest) noexcept {
+    return std::bit_cast<double>((std::uint64_t{2046} << 52) - (largest & std::uint64_t{0x7ff} << 52));
 }
 
-// The relative motion of two balls alone, scaled so that its largest length and velocity are within [2^-52, 2), or all
-// 0 if they are from 2^1023 on. Not known if one is infinite.
+// The relative motion of two balls alone, its lengths multiplied by a power of two that brings the larger radius into
+// [1, 2), its velocities by one that brings the largest into [1, 2). The radius is given by its bits.
 template <int N>
 struct scaled_motion {
     relative_motion<N, double, double, double> motion;
-    double by_length, by_velocity; // the factors
-    bool known, safe;
+    double by_length, by_velocity;
 
-    [[gnu::always_inline]] scaled_motion(const ball<N, double>& a, const ball<N, double>& b) noexcept
-        : motion(computed_motion(a, b)) {
-        const double largest_length = std::max(std::fabs(motion.R), largest_size(motion.dx));
-        const double largest_velocity = largest_size(motion.du);
-        by_length = factor_to_unit(largest_length);
-        by_velocity = factor_to_unit(largest_velocity);
-        known = std::max(largest_length, largest_velocity) <= std::numeric_limits<double>::max();
-        safe = std::min(largest_length, largest_velocity) > 0x1p-900;
-        motion.dx = make_vec<N>([&](int i) { return as_stored(motion.dx[i] * by_length); });
-        motion.du = make_vec<N>([&](int i) { return as_stored(motion.du[i] * by_velocity); });
-        motion.R = as_stored(motion.R * by_length);
+    // Whether this can be relied on. Where subnormals are read or written as zeros, less than 2^-110 of these sizes is
+    // then lost. A length that has overflowed, also to the largest double, becomes one above 2^284.
+    bool safe;
+
+    [[gnu::always_inline]] scaled_motion(const relative_motion<N, double, double, double>& m,
+                                         std::uint64_t radius) noexcept
+        : motion(m) {
+        const double largest = largest_size(m.du);
+        by_length = factor_to_unit(radius);
+        by_velocity = factor_to_unit(bits_of(largest));
+        safe = bits_within_powers<-900, 738>(radius) && within_powers<-900, 1023>(largest);
+        motion.dx = make_vec<N>([&](int i) { return as_stored(m.dx[i] * by_length); });
+        motion.du = make_vec<N>([&](int i) { return as_stored(m.du[i] * by_velocity); });
+        motion.R = as_stored(m.R * by_length);
     }
 
     // The power of two that is the unit of a time.

@@ -101,8 +101,8 @@ template <moving B>
 template <moving B, class Observer>
 [[nodiscard, gnu::always_inline]] constexpr inline encounter classify_movers(const B& a, const B& b,
                                                                              Observer&& observer) {
-    if (!std::is_constant_evaluated() && has_usual_size(a, b)) [[likely]] {
-        if (const auto filtered = start_filter(a, b).finish(); filtered.certain) [[likely]] {
+    if (!std::is_constant_evaluated()) [[likely]] {
+        if (const auto filtered = filter_movers(a, b); filtered.certain) [[likely]] {
             observer(stage::filter);
             return filtered.what();
         }

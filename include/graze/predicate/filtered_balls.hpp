@@ -6,6 +6,7 @@
 #include <graze/formula/encounter.hpp>
 #include <graze/pair/input_check.hpp>
 #include <graze/pair/moving_motion.hpp>
+#include <graze/pair/scaled_movers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,43 +41,46 @@ using filter_of = ball_filter<dimension_of<B>, number_in<B>, moving_bounds<B>>;
 struct filtered_balls {
     bool certain = false;
     double h = 0, c = 0, discriminant = 0;
-    double length2 = 0; // at least |Δx|² + R²
-    double scale = 0;   // |Δu|² length2
 
     // Looked up by the three signs, none of which is 0: pairs come in no order that a branch could predict.
     [[nodiscard, gnu::always_inline]] encounter what() const noexcept {
-        constexpr auto row = [](encounter negative_d, encounter positive_d) {
-            return static_cast<std::uint64_t>(positive_d) | static_cast<std::uint64_t>(negative_d) << 8;
-        };
-        constexpr std::uint64_t recede = row(encounter::recede, encounter::recede);
-        constexpr std::uint64_t apart = row(encounter::miss, encounter::hit);
-        constexpr std::uint64_t inside = row(encounter::overlap, encounter::overlap);
-        constexpr std::uint64_t answers = recede | recede << 16 | apart << 32 | inside << 48;
-        const std::uint64_t index = bits_of(h) >> 63 << 5 | bits_of(c) >> 63 << 4 | bits_of(discriminant) >> 63 << 3;
-        return static_cast<encounter>(answers >> index & 7);
+        using enum encounter;
+        static constexpr encounter by_signs[8] = {recede, recede, recede, recede, hit, miss, overlap, overlap};
+        return by_signs[2 * (2 * (bits_of(h) >> 63) + (bits_of(c) >> 63)) + (bits_of(discriminant) >> 63)];
     }
 };
 
 // The range. |Δu|² and length2 above smallest_square keep what underflow loses, or a mode flushes to zero, below 2^-90
 // of any scale; for float that is also what is lost when a subnormal input becomes a double. Their product below 2^570
 // keeps each of them below 2^1020: then nothing has overflowed, neither to an infinity nor, where rounding is directed,
-// to the largest double. A NaN or an infinity makes a comparison false. Conditions are joined with & and not &&, and D
-// is computed even for balls that part: one branch that always goes the same way costs less than what it would save.
+// to the largest double. A NaN or an infinity makes a comparison false.
 template <class T>
 inline constexpr double smallest_square = std::is_same_v<T, float> ? 0x1p-64 : 0x1p-450;
 
-// Whether R has a size that usually is in that range. Where it has not, products that underflow would take longer than
-// all the rest.
+// The bits of the larger radius, or more than those of any number if one has its sign set.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline std::uint64_t larger_radius(const B& a, const B& b) noexcept {
+    return std::max(bits_of(state_of(a).radius), bits_of(state_of(b).radius));
+}
+
+// Whether the larger radius has a size that usually is in that range, by its bits. Where it has not, products that
+// underflow would take longer than all the rest. R² is then within 2^-440 and 2^562.
+[[nodiscard]] constexpr bool is_usual_radius(std::uint64_t bits) noexcept {
+    return bits_within_powers<-220, 280>(bits);
+}
+
+// Whether no radius has its sign set and, of doubles, the larger one has a usual size.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline bool has_usual_size(const B& a, const B& b) noexcept {
     if constexpr (std::is_same_v<number_in<B>, double>) {
-        return within_powers<-220, 280>(as_stored(state_of(a).radius) + as_stored(state_of(b).radius));
+        return is_usual_radius(larger_radius(a, b));
     } else {
-        return true;
+        return plain_radii(state_of(a).radius, state_of(b).radius);
     }
 }
 
-// Constants: those of a ball_filter, for the motion m and the computed |length|².
+// Constants: those of a ball_filter, for the motion m and the computed |length|². is_long: whether that is known to be
+// above smallest_square.
 template <class T, class Constants>
 struct started_filter {
     quadratic<double, double, double> q;
@@ -85,9 +89,9 @@ struct started_filter {
     bool in_range;
 
     template <class M>
-    [[gnu::always_inline]] constexpr started_filter(const M& m, double square) noexcept
+    [[gnu::always_inline]] constexpr started_filter(const M& m, double square, bool is_long = false) noexcept
         : q(quadratic_of(m)), length2(square), scale(q.a * length2),
-          in_range((std::min(q.a, length2) > smallest_square<T>)&(scale < 0x1p570)) {}
+          in_range(((is_long ? q.a : std::min(q.a, length2)) > smallest_square<T>)&(scale < 0x1p570)) {}
 
     // Whether h > 0 is certain. Where a branch on it is worth its cost, it saves the rest of the work.
     [[nodiscard, gnu::always_inline]] bool is_parting() const noexcept {
@@ -109,28 +113,51 @@ struct started_filter {
         filtered_balls r;
         r.h = q.h;
         r.c = q.c;
-        r.length2 = length2;
-        r.scale = scale;
         r.discriminant = discriminant_halved{}(q);
         const double bound = Constants::discriminant * scale;
-        // h² is to be large enough, and |D| and a|c| unless h > 0, when h |h| stands in for them.
-        const double others = std::min(std::fabs(r.discriminant), std::fabs(q.a * q.c));
-        const bool certain = std::min(r.h * r.h, std::max(others, r.h * std::fabs(r.h))) > bound;
-        r.certain = certain & in_range;
+        // h² is to be large enough, and |D| and a|c| unless h > 0.
+        const double square = r.h * r.h;
+        const double least = std::min(std::min(std::fabs(q.a * q.c), square), std::fabs(r.discriminant));
+        r.certain = in_range && (least > bound || (r.h > 0 && square > bound));
         return r;
     }
 };
 
-// For two movers.
+// For two movers; is_usual: whether they have that size.
 template <moving B>
-[[nodiscard, gnu::always_inline]] inline auto start_filter(const B& a, const B& b) noexcept {
-    const bool plain = plain_radii(state_of(a).radius, state_of(b).radius);
+[[nodiscard, gnu::always_inline]] inline auto start_filter(const B& a, const B& b, bool is_usual = false) noexcept {
+    const bool plain = is_usual || plain_radii(state_of(a).radius, state_of(b).radius);
     return with_motion_at_start(
-        a, b, [plain](const auto& m, double length2, bool in_range) __attribute__((always_inline)) {
-            started_filter<number_in<B>, filter_of<B>> r(m, length2);
+        a, b, [ plain, is_usual ](const auto& m, double length2, bool in_range) __attribute__((always_inline)) {
+            started_filter<number_in<B>, filter_of<B>> r(m, length2, is_usual && std::is_same_v<number_in<B>, double>);
             r.in_range = r.in_range & in_range & plain;
             return r;
         });
+}
+
+// The filter of two balls whose larger radius has these bits and is scaled or has a usual size.
+template <int N>
+[[nodiscard, gnu::always_inline]] inline filtered_balls
+filter_motion(const relative_motion<N, double, double, double>& m) noexcept {
+    return started_filter<double, filter_of<ball<N, double>>>(m, graze::squared_norm(m.dx) + m.R * m.R, true).finish();
+}
+
+// The filter of two movers; of two balls in any units.
+template <moving B>
+[[nodiscard, gnu::always_inline]] inline filtered_balls filter_movers(const B& a, const B& b) noexcept {
+    if constexpr (std::is_same_v<B, ball<dimension_of<B>, double>>) {
+        auto m = computed_motion(a, b);
+        if (const std::uint64_t radius = larger_radius(a, b); !is_usual_radius(radius)) [[unlikely]] {
+            const scaled_motion s(m, radius);
+            if (!s.safe) {
+                return {};
+            }
+            m = s.motion;
+        }
+        return filter_motion(m);
+    } else {
+        return has_usual_size(a, b) ? start_filter(a, b, true).finish() : filtered_balls{};
+    }
 }
 
 } // namespace graze::inline v0_1::detail

@@ -160,39 +160,19 @@ template <moving B>
     return what != out_of_range;
 }
 
-// The filter of a scaled motion. Differences lose no more if they are rounded before they are scaled than after.
-template <int N>
-[[nodiscard, gnu::always_inline]] inline filtered_balls filter_scaled(const scaled_motion<N>& s) noexcept {
-    const auto& m = s.motion;
-    auto f = started_filter<double, filter_of<ball<N, double>>>(m, graze::squared_norm(m.dx) + m.R * m.R).finish();
-    f.certain = all_hold(f.certain, s.known, s.safe || keeps_subnormals());
-    return f;
-}
 // For movers out of range: scaled, by the filter, in doubles and in words.
 template <moving B>
-[[nodiscard, gnu::noinline]] refined_encounter refine_scaled_movers(const B& a, const B& b) noexcept {
+[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const B& a, const B& b) noexcept {
     const scaled_movers<B> s = scaled(a, b);
     if (!s.known) {
         return {};
     }
-    if constexpr (is_flight<B>) {
-        const auto filtered = start_filter(s.a, s.b).finish();
-        const bool safe = s.safe || keeps_subnormals();
-        if (all_hold(filtered.certain, safe)) [[likely]] {
-            return {static_cast<int>(filtered.what()), stage::filter};
-        }
+    const bool safe = s.safe || keeps_subnormals();
+    if (const auto filtered = start_filter(s.a, s.b).finish(); all_hold(filtered.certain, safe)) [[likely]] {
+        return {static_cast<int>(filtered.what()), stage::filter};
     }
     refined_encounter r;
     return keeps_subnormals() && refine_in_range(r, s.a, s.b) ? r : refined_encounter{};
-}
-template <moving B>
-[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const B& a, const B& b) noexcept {
-    if constexpr (!is_flight<B>) {
-        if (const auto f = filter_scaled(scaled_motion(a, b)); f.certain) [[likely]] {
-            return {static_cast<int>(f.what()), stage::filter};
-        }
-    }
-    return refine_scaled_movers(a, b);
 }
 
 // For movers whose radii are not negative.

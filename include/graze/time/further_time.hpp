@@ -84,40 +84,22 @@ template <moving B>
     return r;
 }
 
-// What the filter is certain of; for a hit also the time, by one step that `step_near` makes from a time. False if that
-// is not close enough.
-template <class F>
-[[nodiscard, gnu::always_inline]] inline bool step_time(further_time& r, const filtered_balls& filtered,
-                                                        F step_near) noexcept {
+// For movers in range what the filter is certain of; for a hit also the time, by one step. False if that is not close
+// enough.
+template <moving B>
+[[nodiscard, gnu::noinline]] bool filter_time(further_time& r, const B& a, const B& b) noexcept {
+    const auto filtered = start_filter(a, b).finish();
+    if (!filtered.certain) {
+        return false;
+    }
     r.what = static_cast<int>(filtered.what());
     r.decided_by = stage::filter;
     if (filtered.what() != encounter::hit) {
         return true;
     }
-    with_best_products(step_near(root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant))));
+    const double near = root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant));
+    with_best_products(time_by_doubles<B, further_time>{&a, &b, near, &r});
     return r.good;
-}
-// For movers in range, if the filter is certain of them.
-template <moving B>
-[[nodiscard, gnu::always_inline]] inline bool filter_time(further_time& r, const B& a, const B& b) noexcept {
-    const auto filtered = start_filter(a, b).finish();
-    return filtered.certain && step_time(
-                                   r, filtered, [&](double near) __attribute__((always_inline)) {
-                                       return time_by_doubles<B, further_time>{&a, &b, near, &r};
-                                   });
-}
-// For balls in unusual units.
-template <int N>
-[[nodiscard, gnu::noinline]] bool filter_scaled_time(further_time& r, const ball<N, double>& a,
-                                                     const ball<N, double>& b) noexcept {
-    const scaled_motion s(a, b);
-    const auto filtered = filter_scaled(s);
-    r.unit = s.unit();
-    return filtered.certain &&
-           step_time(
-               r, filtered, [&](double near) __attribute__((always_inline)) {
-                   return time_of_scaled<N, further_time>{&a, &b, s.by_length, s.by_velocity, near, &r};
-               });
 }
 template <moving B>
 [[gnu::always_inline]] inline void words_time(further_time& r, const B& a, const B& b) noexcept {
@@ -125,6 +107,37 @@ template <moving B>
     const auto& y = as_flight(b);
     with_best_products(approach_in_words<dimension_of<B>>{&x, &y, &r});
 }
+
+// The encounter of two balls as a number, or `undecided`; for a hit also its time, rounded to nearest.
+struct rounded_approach {
+    double time = 0;
+    int what = undecided;
+};
+// For balls in unusual units: by the filter and one step, scaled. To nearest; where subnormals become zeros, the loss
+// is that of a safe scaling.
+template <int N>
+struct scaled_approach {
+    const ball<N, double>*a, *b;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] rounded_approach operator()(std::bool_constant<Fused> fused) const noexcept {
+        const scaled_motion s(computed_motion(*a, *b), larger_radius(*a, *b));
+        const auto filtered = filter_motion(s.motion);
+        if (!all_hold(filtered.certain, s.safe, adds_to_nearest())) {
+            return {};
+        }
+        if (filtered.what() != encounter::hit) {
+            return {0, static_cast<int>(filtered.what())};
+        }
+        const double near = root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant));
+        const auto found = time_of_scaled<N>{a, b, s.by_length, s.by_velocity, near}(fused);
+        const auto rounded = rounded_quickly<double>(found.time, s.unit());
+        if (!(found.good && rounded && is_finite_input(*rounded))) {
+            return {};
+        }
+        return {*rounded, static_cast<int>(encounter::hit)};
+    }
+};
 
 // What has been tried before: the filter alone, or a step from an enclosure's time as well. `time`: the movers hit, and
 // only the time is asked for.
@@ -144,11 +157,6 @@ template <moving B>
         if (r.in_range) {
             return;
         }
-        if constexpr (!is_flight<B>) {
-            if (filter_scaled_time(r, a, b)) {
-                return;
-            }
-        }
     }
     const scaled_movers<B> s = scaled(a, b);
     if (!s.known) {
@@ -156,12 +164,9 @@ template <moving B>
         return;
     }
     r.unit = s.length - s.velocity;
-    if constexpr (is_flight<B>) {
-        if (filter_time(r, s.a, s.b)) {
-            return;
-        }
+    if (!filter_time(r, as_flight(s.a), as_flight(s.b))) {
+        words_time(r, s.a, s.b);
     }
-    words_time(r, s.a, s.b);
 }
 
 // For movers whose radii are not negative.
@@ -182,12 +187,6 @@ template <moving B>
             r = further_time{};
         }
         if constexpr (has_error_free_doubles) {
-            if constexpr (!is_flight<B>) {
-                // where subnormals become zeros, the loss is that of a safe scaling
-                if (!is_usual && adds_to_nearest() && filter_scaled_time(r, a, b)) {
-                    return r;
-                }
-            }
             if (rounds_to_nearest()) {
                 time_by_words(r, a, b, is_usual, before);
             } else {

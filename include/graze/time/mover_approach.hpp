@@ -89,7 +89,7 @@ struct time_in_doubles {
     bounded<double> time;
     bool good;
 };
-// Both write their answer where it is kept: a copy would wait for its parts.
+// Writes its answer where it is kept: a copy would wait for its parts.
 template <moving B, class Kept>
 struct time_by_doubles {
     const B *a, *b;
@@ -107,22 +107,20 @@ struct time_by_doubles {
 
 // The same for two balls whose lengths and velocities are multiplied by powers of two. `near` and the time are in those
 // units.
-template <int N, class Kept>
+template <int N>
 struct time_of_scaled {
     const ball<N, double>*a, *b;
     double by_length, by_velocity, near;
-    Kept* kept;
 
     template <bool Fused>
-    [[gnu::always_inline]] void operator()(std::bool_constant<Fused>) const noexcept {
+    [[nodiscard, gnu::always_inline]] time_in_doubles operator()(std::bool_constant<Fused>) const noexcept {
         lane_motion m = lane_motion_of(*a, *b);
         scale(m.x01, by_length);
         scale(m.xR2, by_length);
         scale(m.u01, by_velocity);
         scale(m.u_2, by_velocity);
         const auto r = approach_near<Fused, N>(m, near);
-        kept->time = r.time();
-        kept->good = r.good;
+        return {r.time(), r.good};
     }
 
   private:

@@ -62,13 +62,10 @@ template <moving B>
         event_of_movers<B>(two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0, what == encounter::overlap));
 }
 
-// An enclosure around a time in units of 2^unit that is further rounded to `nearest`, unknown beyond 2^±900.
-[[nodiscard]] inline enclosure enclosure_of(const further_time& t, double nearest) noexcept {
+// An enclosure around a time that is rounded to `nearest`, unknown beyond 2^±900. error: of an unrounded time.
+[[nodiscard]] inline enclosure enclosure_around(double nearest, double error = 0) noexcept {
     const double near = absolute(nearest);
-    if (!within_powers<-900, 900>(near)) {
-        return {nearest, enclosure::unknown};
-    }
-    return {nearest, 0x1p-49 * near + (t.unit == 0 ? t.time.error : 0)};
+    return {nearest, within_powers<-900, 900>(near) ? 0x1p-49 * near + error : enclosure::unknown};
 }
 
 // The time of two movers of which this is known, with the number that it is rounded to where that is certain.
@@ -114,7 +111,7 @@ template <moving B>
                 if (!bounds.is_known()) {
                     const auto rounded = round_further_time<double>(t, rounding::nearest);
                     if (rounded && is_finite_input(*rounded)) {
-                        bounds = enclosure_of(t, *rounded);
+                        bounds = enclosure_around(*rounded, t.unit == 0 ? t.time.error : 0);
                         nearest = std::is_same_v<T, double>;
                     }
                 }
@@ -128,12 +125,41 @@ template <moving B>
     return time_of_impact_exactly(a, b);
 }
 
-// The same, and tells the observer; the time is made where it is returned.
+// For movers in unusual units: balls are scaled first.
+template <moving B>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>>
+time_in_unusual_units(const B& a, const B& b, stage& by) {
+    return time_of_impact_further(a, b, by);
+}
+template <int N>
+[[nodiscard, gnu::noinline]] inline std::optional<impact_time<N, double>>
+time_in_unusual_units(const ball<N, double>& a, const ball<N, double>& b, stage& by) {
+    const auto found = with_fused_products(scaled_approach<N>{&a, &b}, rounded_approach{});
+    if (found.what == static_cast<int>(encounter::hit)) {
+        by = stage::filter;
+        return time_within(enclosure_around(found.time), a, b, false, true);
+    }
+    if (found.what == undecided) {
+        return time_of_impact_further(a, b, by);
+    }
+    by = stage::filter;
+    return found.what == static_cast<int>(encounter::overlap) ? time_of_overlap(a, b) : std::nullopt;
+}
+
+// The same, and tell the observer; the time is made where it is returned.
 template <moving B, class Observer>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>> tell_further(const B& a, const B& b,
                                                                                                  Observer&& observer) {
     stage by{};
     auto further = time_of_impact_further(a, b, by);
+    observer(by);
+    return further;
+}
+template <moving B, class Observer>
+[[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>> tell_unusual(const B& a, const B& b,
+                                                                                                 Observer&& observer) {
+    stage by{};
+    auto further = time_in_unusual_units(a, b, by);
     observer(by);
     return further;
 }
@@ -155,10 +181,10 @@ template <moving B, class Observer>
     using T = number_in<B>;
     if (!std::is_constant_evaluated()) {
         if (!has_usual_size(a, b)) [[unlikely]] {
-            return tell_further(a, b, observer);
+            return tell_unusual(a, b, observer);
         }
         // Half of all pairs part; of the others a hit takes one branch, since the other conditions never differ.
-        const auto started = start_filter(a, b);
+        const auto started = start_filter(a, b, true);
         if (started.is_parting()) {
             observer(stage::filter);
             return std::nullopt;
