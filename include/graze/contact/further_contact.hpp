@@ -54,28 +54,44 @@ struct further_contact {
     component_set certain = 0;
 };
 
+// Of movers in unusual units, which the filter knows to meet: the contact by doubles.
+template <moving B>
+[[gnu::always_inline]] inline void contact_of_scaled(further_contact& r, contact<dimension_of<B>, double>& c,
+                                                     const filtered_balls& f, const scaled_movers<B>& s, double mass_a,
+                                                     double mass_b) noexcept {
+    contact<dimension_of<B>, double> found = zero_contact<dimension_of<B>, double>{};
+    rounded_components<dimension_of<B>, double> taken{found};
+    const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
+    if (contact_by_doubles(taken, f.what(), s.a, s.b, mass_a, mass_b, near)) {
+        r.certain = scale_back(c, taken, all_components, s.length, s.velocity);
+    }
+}
+
 // For movers in unusual units: by the filter and doubles, after scaling.
 template <moving B>
 [[nodiscard, gnu::noinline]] further_contact contact_scaled(contact<dimension_of<B>, double>& c, const B& a, const B& b,
                                                             double mass_a, double mass_b) noexcept {
     further_contact r;
     if constexpr (has_error_free_doubles) {
-        const scaled_movers<B> s = scaled(a, b);
-        if (!s.known || !rounds_to_nearest()) {
+        if (!rounds_to_nearest()) {
             return r;
         }
-        const auto f = start_filter(s.a, s.b).finish();
-        if (!f.certain) {
-            return r;
-        }
-        r.what = static_cast<int>(f.what());
-        r.decided_by = stage::filter;
-        if (is_collision(f.what())) {
-            contact<dimension_of<B>, double> found = zero_contact<dimension_of<B>, double>{};
-            rounded_components<dimension_of<B>, double> taken{found};
-            const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
-            if (contact_by_doubles(taken, f.what(), s.a, s.b, mass_a, mass_b, near)) {
-                r.certain = scale_back(c, taken, all_components, s.length, s.velocity);
+        const auto decide = [&](const filtered_balls& f) {
+            r.what = f.certain ? static_cast<int>(f.what()) : undecided;
+            r.decided_by = stage::filter;
+            return f.certain && is_collision(f.what());
+        };
+        if constexpr (is_flight<B>) {
+            const scaled_movers<B> s = scaled(a, b);
+            if (s.known) {
+                if (const auto f = start_filter(s.a, s.b).finish(); decide(f)) {
+                    contact_of_scaled(r, c, f, s, mass_a, mass_b);
+                }
+            }
+        } else {
+            const scaled_motion s(computed_motion(a, b), larger_radius(a, b));
+            if (const auto f = filter_motion(s.motion); s.safe && decide(f)) {
+                contact_of_scaled(r, c, f, s.scaled(a, b), mass_a, mass_b);
             }
         }
     }

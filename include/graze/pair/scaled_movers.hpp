@@ -77,6 +77,18 @@ struct scaled_motion {
     // The power of two that is the unit of a time.
     [[nodiscard]] int unit() const noexcept { return exponent_of(by_velocity) - exponent_of(by_length); }
 
+    // The balls in the same units.
+    [[nodiscard, gnu::always_inline]] scaled_movers<ball<N, double>> scaled(const ball<N, double>& a,
+                                                                            const ball<N, double>& b) const noexcept {
+        const auto each = [&](const ball<N, double>& x) __attribute__((always_inline)) {
+            return ball<N, double>{
+                make_vec<N>([&](int i) { return as_stored(as_stored(x.position[i]) * by_length); }),
+                make_vec<N>([&](int i) { return as_stored(as_stored(x.velocity[i]) * by_velocity); }),
+                as_stored(as_stored(x.radius) * by_length)};
+        };
+        return {each(a), each(b), 1023 - exponent_of(by_length), 1023 - exponent_of(by_velocity), safe, safe};
+    }
+
   private:
     [[nodiscard]] static int exponent_of(double x) noexcept { return static_cast<int>(bits_of(x) >> 52); }
 };

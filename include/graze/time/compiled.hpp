@@ -73,6 +73,10 @@ extern template std::optional<impact_time<2, double>> time_of_flat_slowly(const 
                                                                           const wall<2, double>&, const flat_answer&);
 extern template std::optional<impact_time<3, double>> time_of_flat_slowly(const ball<3, double>&,
                                                                           const wall<3, double>&, const flat_answer&);
+extern template std::optional<impact_time<2, double>> time_in_unusual_units(const ball<2, double>&,
+                                                                            const ball<2, double>&, stage&);
+extern template std::optional<impact_time<3, double>> time_in_unusual_units(const ball<3, double>&,
+                                                                            const ball<3, double>&, stage&);
 extern template std::optional<impact_time<2, float>> time_of_impact_further(const ball<2, float>&,
                                                                             const ball<2, float>&, stage&);
 extern template std::optional<impact_time<2, float>> time_of_impact_further(const flight<2, float>&,
