@@ -8,6 +8,9 @@ graze_add_tests_together(compare_certified_tests compare_*_test SOURCES ${certif
 target_compile_definitions(compare_certified_tests PRIVATE
     "GRAZE_SCENES=\"${PROJECT_SOURCE_DIR}/examples/scenes\"")
 target_compile_options(compare_certified_tests PRIVATE -O0) # what takes the time is compiled elsewhere
+list(TRANSFORM certified REPLACE "(_test)?\\.cpp$" "" OUTPUT_VARIABLE certified_tests)
+list(TRANSFORM certified_tests REPLACE "(.+)" "compare_\\1_test")
+graze_build_when_asked(matrix compare_certified_tests ${certified_tests})
 add_executable(compare_certified_soak certified_soak.cpp)
 target_link_libraries(compare_certified_soak PRIVATE compare_certified graze_warnings)
 add_test(NAME compare_certified_soak COMMAND compare_certified_soak)
@@ -23,5 +26,5 @@ target_compile_definitions(compare_run_program_test PRIVATE
     "GRAZE_TEST_SCENES=\"${CMAKE_CURRENT_SOURCE_DIR}/scenes\"" "GRAZE_BAD_INPUTS=\"${CMAKE_CURRENT_SOURCE_DIR}/bad\""
     "GRAZE_JSON_PAGE=\"${PROJECT_SOURCE_DIR}/docs/reference/run-json.md\"")
 add_dependencies(compare_run_program_test graze-compare graze-compare-run)
-set_target_properties(compare_run_types graze-compare-run PROPERTIES EXCLUDE_FROM_ALL ON)
+set_target_properties(compare_certified compare_run_types graze-compare-run PROPERTIES EXCLUDE_FROM_ALL ON)
 graze_build_when_asked(matrix compare_run_program_test compare_run_program_test)
