@@ -128,7 +128,7 @@ void measure_in_two_parts(results& found, const std::vector<measurable>& types, 
         std::cout << to_text(first, *shown);
         std::cout << "\nDecimal and rational types take longer, up to some "
                   << std::lround(static_cast<double>(later.size() * groups.size()) *
-                                 (plan.scoring_seconds + plan.timing_seconds))
+                                 (plan.scoring_seconds + patience * plan.timing_seconds))
                   << " s for " << (later.size() == 1 ? "this one" : "these " + std::to_string(later.size()))
                   << ". Ctrl-C stops them; what has been measured is kept.\n\n"
                   << std::flush;

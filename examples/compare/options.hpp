@@ -28,7 +28,7 @@ struct options {
     std::vector<method> methods;
     table_options table;
     int digits = 15;
-    double timing = 0.5;
+    double timing = 0.2;
     std::optional<std::size_t> pair; // only the pair of this number
     std::string json, report, picture, benchmark_json, pairs_folder, inputs_file;
     std::vector<std::string> result_files; // of diff, the earliest first

@@ -34,7 +34,7 @@ std::vector<timing> time_interleaved(const std::vector<timed_candidate>& candida
         round_seconds += pass * static_cast<double>(s.passes);
         schedules.push_back(std::move(s));
     }
-    const auto affordable = static_cast<std::size_t>(seconds / std::max(round_seconds, 1e-9));
+    const auto affordable = static_cast<std::size_t>(patience * seconds / std::max(round_seconds, 1e-9));
     const std::size_t repeats = std::clamp(affordable, fewest_repeats, most_repeats);
     for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
         for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -29,8 +29,12 @@ struct timing {
     std::vector<double> repeated; // each repeat, in the order of measurement
 };
 
+// Slow candidates may take this many times as long before they are repeated less often.
+constexpr double patience = 2.5;
+
 // Times the candidates in turn, so that changes of the machine's load affect all of them: each at least three times
-// with at least 24 items, or with all items if there are fewer. seconds is the target for all candidates together.
+// with at least 24 items, or with all items if there are fewer. seconds is the target for all candidates together,
+// or patience times that if 24 items take long.
 [[nodiscard]] std::vector<timing> time_interleaved(const std::vector<timed_candidate>& candidates, double seconds);
 
 } // namespace compare
