@@ -55,12 +55,12 @@ std::vector<group> default_groups(const options& o, const progress_line& line) {
     for (auto first = pairs.begin(); first != pairs.end();) {
         const auto end = std::find_if(first, pairs.end(), [&](const auto& p) { return p.group != first->group; });
         const std::string name = first->group;
-        std::vector<problem<2>> part(std::make_move_iterator(first), std::make_move_iterator(end));
-        const std::size_t all = part.size();
-        number(part, last, o.pair);
-        if (!part.empty()) {
-            groups.push_back(name == file.name ? group_of(name, file.description, "", std::move(part), all, line)
-                                               : family_group(name, std::move(part), all, line));
+        std::vector<problem<2>> members(std::make_move_iterator(first), std::make_move_iterator(end));
+        const std::size_t all = members.size();
+        number(members, last, o.pair);
+        if (!members.empty()) {
+            groups.push_back(name == file.name ? group_of(name, file.description, "", std::move(members), all, line)
+                                               : family_group(name, std::move(members), all, line));
         }
         first = end;
     }

@@ -11,11 +11,11 @@ namespace compare {
 namespace {
 
 // long double, because the parser converts every number and must not refuse those beyond the range of double.
-using json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
+using tree = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 constexpr std::size_t deepest = 8;
 
-class tree_builder final : public nlohmann::json_sax<json> {
+class tree_builder final : public nlohmann::json_sax<tree> {
   public:
     tree_builder(std::string_view text, const std::string& file, std::size_t most_keys)
         : text_(text), file_(file), most_keys_(most_keys) {}
@@ -28,7 +28,7 @@ class tree_builder final : public nlohmann::json_sax<json> {
     bool number_unsigned(std::uint64_t value) override { return leaf(json_type::number, std::to_string(value)); }
     bool number_float(long double, const std::string& raw) override { return leaf(json_type::number, raw); }
     bool string(std::string& value) override { return leaf(json_type::string, std::move(value)); }
-    bool binary(json::binary_t&) override { return false; }
+    bool binary(tree::binary_t&) override { return false; }
     bool start_object(std::size_t) override { return open(json_type::object); }
     bool end_object() override { return close(); }
     bool start_array(std::size_t) override { return open(json_type::array); }
@@ -129,7 +129,7 @@ json_node parse_json(std::string_view text, const std::string& file, std::size_t
         throw input_error(printable(file, 4096) + ": is empty");
     }
     tree_builder builder(text, file, most_keys);
-    json::sax_parse(text, &builder);
+    tree::sax_parse(text, &builder);
     return builder.take();
 }
 

@@ -33,9 +33,9 @@ struct place_of_pair {
 // The pairs of a scene in a fixed order: each ball with the balls after it, then with the planes, walls and triangles.
 // Either all of them or some drawn at random. Two infinite masses are not a pair.
 template <int N>
-class candidates {
+class classified_pairs {
   public:
-    candidates(const exact_scene<N>& scene, families::random& random, std::uint64_t most) : scene_(scene) {
+    classified_pairs(const exact_scene<N>& scene, families::random& random, std::uint64_t most) : scene_(scene) {
         std::uint64_t last = 0;
         for (std::size_t i = 0; i < scene.balls.size(); ++i) {
             last += scene.balls.size() - 1 - i + standing(scene);
@@ -183,7 +183,7 @@ scene_pairs<N> pairs_of(const exact_scene<N>& scene, const std::string& group, s
     }
 
     families::random random(seed);
-    const candidates<N> all(scene, random, most_classified);
+    const classified_pairs<N> all(scene, random, most_classified);
     const integer_scene<N> integers = to_integers<N>(scene);
     std::vector<unsigned char> stratum_of;
     all.for_each([&](const place_of_pair& p) {

@@ -10,11 +10,11 @@ namespace compare {
 
 namespace {
 
-constexpr std::size_t longest_text = 4096;
+constexpr std::size_t longest_string = 4096;
 
 // Cleans every text field, whatever its name.
 struct text_cleaner {
-    void clean(std::string& text) { text = printable(text, longest_text); }
+    void clean(std::string& text) { text = printable(text, longest_string); }
     template <class T>
     void clean(std::vector<T>& all) {
         for (T& one : all) {
@@ -30,7 +30,7 @@ struct text_cleaner {
     void clean(std::map<std::string, std::size_t>& counts) {
         std::map<std::string, std::size_t> cleaned;
         for (const auto& [name, count] : counts) {
-            cleaned[printable(name, longest_text)] += count;
+            cleaned[printable(name, longest_string)] += count;
         }
         counts = std::move(cleaned);
     }

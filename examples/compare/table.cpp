@@ -195,7 +195,7 @@ const row* typical_row(const results& found, const std::string& type, const std:
     return typical;
 }
 
-std::string types_table(const results& found) {
+std::string text_of_types(const results& found) {
     text_table table;
     table.column("type", true);
     table.column("library", true);
@@ -237,7 +237,7 @@ std::string to_text(const results& unsafe, const table_options& options) {
         wrapped(
             "Number types. bits: of the significand; bytes: of a value, + what it has on the heap; root's: of τ where "
             "the type has no root; momentum, energy: the largest relative defect after the collision") +
-        "\n" + types_table(found) + "\n";
+        "\n" + text_of_types(found) + "\n";
     std::vector<std::vector<quantity>> tables;
     for (const quantity q : options.quantities) {
         tables.push_back({q});
