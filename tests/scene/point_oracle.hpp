@@ -99,7 +99,8 @@ class walls_around {
         for (const auto& w : walls) {
             sides_.emplace_back(w);
         }
-        order_ = graze::detail::canonical_order(std::span<const graze::wall<N>>(walls));
+        const auto order = graze::detail::canonical_order(std::span<const graze::wall<N>>(walls));
+        order_.assign(order.begin(), order.end());
     }
     const side<N>& operator[](std::size_t i) const { return sides_[i]; }
 

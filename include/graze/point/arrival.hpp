@@ -3,9 +3,9 @@
 
 #include <graze/point/junction.hpp>
 #include <graze/point/standing.hpp>
+#include <graze/scene/records.hpp>
 
 #include <optional>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -13,9 +13,8 @@ namespace graze::inline v0_1::detail {
 template <mechanics M>
 [[nodiscard]] bool slides(const M& m, const standing_parts<M>& standing, const typename M::state& x) {
     for (body b = standing.begin(); b < standing.end(); ++b) {
-        if (standing.with(standing.itself(b), [&](const auto& s) {
-                return m.heading(x, s) == 0 && (standing.has_images(b) || m.side(x, s) == 0);
-            })) {
+        const standing_image s = standing.itself(b);
+        if (standing.heading(m, s, x) == 0 && (standing.has_images(b) || standing.side(m, s, x) == 0)) {
             return true;
         }
     }
@@ -33,12 +32,12 @@ arrival(const M& m, const standing_parts<M>& standing, const typename M::state& 
         int side;
         approach way;
     };
-    std::vector<touched> all;
+    records<touched> all;
     std::optional<typename standing_parts<M>::place> apex;
     const double latest = m.bounds(when).upper;
     standing.for_each_near(m, standing.around(m, x, latest), [&](const standing_image& b) {
         const auto t = meet(b);
-        const int heading = standing.with(b, [&](const auto& s) { return m.heading(x, s); });
+        const int heading = standing.heading(m, b, x);
         if (t && m.bounds(*t).lower <= latest && m.order(*t, when) == 0) {
             if (heading == 0) {
                 all.push_back({b, side_along(b), approach::to_border});
@@ -48,11 +47,11 @@ arrival(const M& m, const standing_parts<M>& standing, const typename M::state& 
             if (!apex) {
                 apex = standing.crossing(m, b, x, x);
             }
-        } else if (!t && heading == 0 && standing.with(b, [&](const auto& s) { return m.side(x, s) == 0; })) {
+        } else if (!t && heading == 0 && standing.side(m, b, x) == 0) {
             all.push_back({b, side_along(b), approach::along});
         }
     });
-    std::vector<cone<M::dimension, typename M::exact>> cones;
+    records<cone<M::dimension, typename M::exact>> cones;
     for (const touched& c : all) {
         if (c.way != approach::along || (apex && standing.is_at(m, c.what, *apex))) {
             cones.push_back(standing.cone_at(m, c.what, c.side, c.way, apex));
@@ -72,10 +71,10 @@ arrival_at_border(const M& m, const standing_parts<M>& standing, const typename 
         return std::nullopt;
     }
     const auto border = standing.nearest(m, b, back);
-    std::vector<cone<M::dimension, typename M::exact>> cones;
+    records<cone<M::dimension, typename M::exact>> cones;
     standing.for_each_near(m, standing.around(m, b), [&](const standing_image& c) {
         if (standing.is_in_plane(m, c, border) && standing.is_at(m, c, border)) {
-            const int heading = standing.with(c, [&](const auto& s) { return m.heading(before, s); });
+            const int heading = standing.heading(m, c, before);
             cones.push_back(heading != 0 ? standing.cone_at(m, c, -heading, approach::across, border)
                                          : standing.cone_at(m, c, side_along(c), approach::along, border));
         }

@@ -5,11 +5,11 @@
 #include <graze/formula/wall_features.hpp>
 #include <graze/point/shift.hpp>
 #include <graze/scene/body.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -23,9 +23,10 @@ template <int N, class X>
 class junction {
   public:
     using direction = vec<N, X>;
+    using cone_list = records<cone<N, X>>;
 
     // Cones in canonical order, met by a point on its way in along `incoming`.
-    junction(std::vector<cone<N, X>> cones, const direction& incoming) : place_(-incoming) {
+    junction(cone_list cones, const direction& incoming) : place_(-incoming) {
         for (const bool bordered : {false, true}) { // those that are met inside come first
             std::copy_if(cones.begin(), cones.end(), std::back_inserter(cones_),
                          [&](const auto& c) { return c.is_bordered() == bordered; });
@@ -151,7 +152,7 @@ class junction {
         }
     }
 
-    std::vector<cone<N, X>> cones_;
+    cone_list cones_;
     direction place_; // of the point, up to a positive factor
     standing_image left_;
     standing_image next_;

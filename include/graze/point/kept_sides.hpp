@@ -2,9 +2,9 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -58,7 +58,7 @@ class kept_sides {
         standing_image standing;
         [[nodiscard]] bool operator()(const entry& e) const noexcept { return e.standing == standing; }
     };
-    std::vector<entry> entries_;
+    records<entry> entries_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -51,15 +51,14 @@ class point_among {
     void bounce(const M& m, const parts& standing, state& x, const standing_image& b, const time& when, bool alone) {
         const state before = x;
         if (here_ && here_->next() == b) {
-            standing.with(b, [&](const auto& s) { m.turn_back(x, s); });
+            standing.turn_back(m, b, x);
             here_->meet(b, velocity(m, before), velocity(m, x));
         } else {
             leave_junction(m, x);
-            const int heading = standing.with(b, [&](const auto& s) { return m.heading(x, s); });
+            const int heading = standing.heading(m, b, x);
             const int side = kept_.of(b);
-            if (side != 0 && heading != 0 &&
-                standing.with(b, [&](const auto& s) { return is_beyond(m, x, s, side); })) {
-                standing.with(b, [&](const auto& s) { m.turn_back(x, s); });
+            if (side != 0 && heading != 0 && is_beyond(m, standing, b, x, side)) {
+                standing.turn_back(m, b, x);
                 settle_at_border(m, standing, before, x, b, side);
             } else {
                 const int from = heading != 0 ? -heading : side_along(m, standing, x, b);
@@ -78,8 +77,9 @@ class point_among {
         const bool was_there = (here_ || is_standing(standing, last)) && m.order(when, m.now(before)) == 0;
         if (was_there) { // between two bounces
             if (!here_) {
-                here_.emplace(std::vector{standing.cone_at(m, last, kept_.of(last), approach::across, std::nullopt)},
-                              -velocity(m, before));
+                typename junction_here::cone_list one;
+                one.push_back(standing.cone_at(m, last, kept_.of(last), approach::across, std::nullopt));
+                here_.emplace(std::move(one), -velocity(m, before));
             }
             here_->leave_none();
             here_->head(velocity(m, x));
@@ -121,14 +121,12 @@ class point_among {
         if (here_ && here_->has(b)) {
             return here_->next() == b ? std::optional<time>(m.now(x)) : std::nullopt;
         }
-        return standing.with(b, [&](const auto& s) -> std::optional<time> {
-            if (const int side = kept_.of(b); side != 0 && is_beyond(m, x, s, side)) {
-                if (const int heading = m.heading(x, s); heading != 0) {
-                    return heading * side < 0 ? std::optional<time>(m.now(x)) : std::nullopt;
-                }
+        if (const int side = kept_.of(b); side != 0 && is_beyond(m, standing, b, x, side)) {
+            if (const int heading = standing.heading(m, b, x); heading != 0) {
+                return heading * side < 0 ? std::optional<time>(m.now(x)) : std::nullopt;
             }
-            return m.meet(x, s);
-        });
+        }
+        return standing.meet(m, b, x);
     }
     [[nodiscard]] junction_here arrival_at(const M& m, const parts& standing, const state& x, const time& when) const {
         return arrival(
@@ -138,7 +136,7 @@ class point_among {
     void arrive(const M& m, const parts& standing, state& x, const standing_image& b, const time& when, bool alone) {
         const auto before = velocity(m, x);
         auto met = alone && !slides(m, standing, x) ? std::nullopt : std::optional(arrival_at(m, standing, x, when));
-        standing.with(b, [&](const auto& s) { m.bounce(x, s, when); });
+        standing.bounce(m, b, x, when);
         if (met && met->size() > 1) {
             here_ = std::move(met);
             here_->meet(b, before, velocity(m, x));
@@ -167,15 +165,14 @@ class point_among {
     }
     void note_sliding(const M& m, const parts& standing, const state& x) {
         keeps_aside_ = false;
-        for_each_side(m, x, [&](const standing_image& b, int) {
-            keeps_aside_ = keeps_aside_ || standing.with(b, [&](const auto& s) { return m.heading(x, s) == 0; });
-        });
+        for_each_side(
+            m, x, [&](const standing_image& b, int) { keeps_aside_ = keeps_aside_ || standing.heading(m, b, x) == 0; });
     }
 
     void settle_at_border(const M& m, const parts& standing, const state& before, const state& x,
                           const standing_image& b, int side) {
         if constexpr (M::rounds) {
-            if (here_ || side == 0 || standing.with(b, [&](const auto& s) { return m.side(x, s) * side >= 0; })) {
+            if (here_ || side == 0 || standing.side(m, b, x) * side >= 0) {
                 return;
             }
             here_ = arrival_at_border(m, standing, before, x, b,

@@ -3,12 +3,12 @@
 
 #include <graze/formula/wall_features.hpp>
 #include <graze/scene/body.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -69,13 +69,15 @@ template <int N, class X>
 // Directions in the plane of c, at least one between any two of these lines, but none on them: c's own borders, its
 // intersections with the planes of the others, and the projections of the others' borders along u.
 template <int N, class X>
-[[nodiscard]] std::vector<vec<N, X>> directions_in(const cone<N, X>& c, const std::vector<cone<N, X>>& others,
-                                                   const vec<N, X>& u) {
+[[nodiscard]] records<vec<N, X>> directions_in(const cone<N, X>& c, const records<cone<N, X>>& others,
+                                               const vec<N, X>& u) {
+    records<vec<N, X>> result; // not the middle: from there symmetric walls lead to edges again
     if constexpr (N == 2) {
         const vec<2, X> edge = perpendicular(c.normal);
-        return {edge, -edge};
+        result.push_back(edge);
+        result.push_back(-edge);
     } else {
-        std::vector<vec<N, X>> lines;
+        records<vec<N, X>> lines;
         const auto add = [&](const vec<N, X>& across) {
             const vec<N, X> line = graze::cross(c.normal, across);
             if (graze::sign(X(graze::squared_norm(line))) != 0) {
@@ -93,7 +95,6 @@ template <int N, class X>
                 add(graze::cross(border, u));
             }
         }
-        std::vector<vec<N, X>> result; // not the middle: from there symmetric walls lead to edges again
         for (std::size_t i = 0; i < lines.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 if (const auto between = X(1009) * lines[i] + X(613) * lines[j];
@@ -106,8 +107,8 @@ template <int N, class X>
         if (result.empty()) { // nothing but c's own plane
             result.push_back(make_vec<N>([](int) { return X(0); }));
         }
-        return result;
     }
+    return result;
 }
 
 // A direction inside c alone.
@@ -141,7 +142,7 @@ template <int N, class X>
 // others. Preferably it passes none of their planes, else it passes beside them; and preferably the way along `after`,
 // on which the point leaves c, leads away from what the point slid along. Empty if others hide all of c.
 template <int N, class X>
-[[nodiscard]] std::optional<vec<N, X>> shift_into(const cone<N, X>& c, const std::vector<cone<N, X>>& all,
+[[nodiscard]] std::optional<vec<N, X>> shift_into(const cone<N, X>& c, const records<cone<N, X>>& all,
                                                   const vec<N, X>& u, const vec<N, X>& after) {
     const auto directions = directions_in<N, X>(c, all, u);
     const auto leaves = [&](const vec<N, X>& d) {

@@ -4,10 +4,10 @@
 #include <graze/formula/flat_way.hpp>
 #include <graze/point/shift.hpp>
 #include <graze/point/standing_images.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <optional>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -20,7 +20,8 @@ class standing_parts : public standing_images<M> {
     using state = typename M::state;
     using shapes = standing_shapes<M>;
     using standing_images<M>::standing_images;
-    using standing_images<M>::with;
+    using exact_shape = typename standing_images<M>::exact_shape;
+    using standing_images<M>::exactly;
 
     // A place, over a positive number.
     struct place {
@@ -33,9 +34,9 @@ class standing_parts : public standing_images<M> {
     }
     [[nodiscard]] place crossing(const M& m, const standing_image& b, const place& x, const state& u) const {
         const auto velocity = shapes::exactly(m, u.state.velocity);
-        const auto n = normal_of(m, b);
-        const exact speed = graze::dot(velocity, n);
-        const exact height = graze::dot(x.sum - x.over * point_of(m, b), n);
+        const exact_shape s = exactly(m, b);
+        const exact speed = graze::dot(velocity, s.normal);
+        const exact height = graze::dot(x.sum - x.over * s.point, s.normal);
         const int sign = graze::sign(speed);
         return sign == 0  ? x
                : sign < 0 ? place{height * velocity - speed * x.sum, -speed * x.over}
@@ -43,62 +44,59 @@ class standing_parts : public standing_images<M> {
     }
     // Whether b, its borders included, contains a place in its plane, or the foot of a place beside its plane.
     [[nodiscard]] bool is_at(const M& m, const standing_image& b, const place& x) const {
-        const auto borders = borders_at(m, b, x);
-        return std::all_of(borders.begin(), borders.end(), [](const border& k) { return k.inside >= 0; });
+        return least_inside(exactly(m, b), x) >= 0;
     }
     [[nodiscard]] bool is_inside(const M& m, const standing_image& b, const place& x) const {
-        const auto borders = borders_at(m, b, x);
-        return std::all_of(borders.begin(), borders.end(), [](const border& k) { return k.inside > 0; });
+        return least_inside(exactly(m, b), x) > 0;
     }
     [[nodiscard]] bool is_in_plane(const M& m, const standing_image& b, const place& x) const {
-        return graze::sign(exact(graze::dot(x.sum - x.over * point_of(m, b), normal_of(m, b)))) == 0;
+        return is_in_plane(exactly(m, b), x);
     }
     // 1 or -1 where b and c are in one plane, as their normals have one sense or not; 0 in two planes.
     [[nodiscard]] int common_sense(const M& m, const standing_image& b, const standing_image& c) const {
-        const auto n = normal_of(m, b), other = normal_of(m, c);
-        return graze::sign(exact(graze::squared_norm(graze::cross(n, other)))) == 0 &&
-                       is_in_plane(m, b, {point_of(m, c), exact(1)})
-                   ? graze::sign(exact(graze::dot(n, other)))
+        const exact_shape s = exactly(m, b), other = exactly(m, c);
+        return graze::sign(exact(graze::squared_norm(graze::cross(s.normal, other.normal)))) == 0 &&
+                       is_in_plane(s, {other.point, exact(1)})
+                   ? graze::sign(exact(graze::dot(s.normal, other.normal)))
                    : 0;
     }
     // The place in a wall with the nearest coordinates along each edge; beyond the third border of a triangle, that on
     // the way to the corner.
     [[nodiscard]] place nearest(const M& m, const standing_image& b, const place& x) const {
-        return with(b, [&](const auto& w) -> place {
-            if constexpr (requires { w.edge; }) {
-                const auto seen = seen_from(m, w, x);
-                auto along = seen.at;
-                for (exact& at : along) {
-                    at = graze::sign(at) < 0 ? exact(0) : at;
-                }
-                exact length = seen.facing;
-                if constexpr (is_triangle<std::remove_cvref_t<decltype(w)>>) {
-                    const exact sum = along[0] + along[1];
-                    length = graze::sign(exact(sum - length)) > 0 ? sum : length;
-                } else {
-                    for (exact& at : along) {
-                        at = graze::sign(exact(at - length)) > 0 ? length : at;
-                    }
-                }
-                place result{length * shapes::exactly(m, w.corner), length};
-                const auto edges = shapes::edges_of(m, w);
-                for (std::size_t i = 0; i < along.size(); ++i) {
-                    result.sum = result.sum + along[i] * edges[i];
-                }
-                return result;
-            } else {
-                return x;
+        const exact_shape s = exactly(m, b);
+        if (s.is_plane) {
+            return x;
+        }
+        const auto seen = seen_from(s, x);
+        auto along = seen.at;
+        for (exact& at : along) {
+            at = graze::sign(at) < 0 ? exact(0) : at;
+        }
+        exact length = seen.facing;
+        if (s.is_triangle) {
+            const exact sum = along.front() + along.back();
+            length = graze::sign(exact(sum - length)) > 0 ? sum : length;
+        } else {
+            for (exact& at : along) {
+                at = graze::sign(exact(at - length)) > 0 ? length : at;
             }
-        });
+        }
+        place result{length * s.point, length};
+        for (std::size_t i = 0; i < along.size(); ++i) {
+            result.sum = result.sum + along[i] * s.edges[i];
+        }
+        return result;
     }
     // b seen from a place x in b; without x, as from any place inside.
     [[nodiscard]] cone<dimension, exact> cone_at(const M& m, const standing_image& b, int side, approach way,
                                                  const std::optional<place>& x) const {
-        cone<dimension, exact> result{b, side, way, normal_of(m, b), {}, 0};
-        if (x) {
-            for (const border& k : borders_at(m, b, *x)) {
-                if (k.inside <= 0) {
-                    result.inward[static_cast<std::size_t>(result.borders++)] = inward_of(m, b, k.number);
+        const exact_shape s = exactly(m, b);
+        cone<dimension, exact> result{b, side, way, s.normal, {}, 0};
+        if (x && !s.is_plane) {
+            const auto seen = seen_from(s, *x);
+            for (int k = 0; k < borders_of(dimension, s.is_triangle); ++k) {
+                if (inside(k, s, seen) <= 0) {
+                    result.inward[static_cast<std::size_t>(result.borders++)] = inward_of(s, k);
                 }
             }
         }
@@ -106,48 +104,36 @@ class standing_parts : public standing_images<M> {
     }
 
   private:
-    using standing_images<M>::normal_of;
-    using standing_images<M>::point_of;
+    using seen_place = flat_place<dimension, exact>;
 
-    // Where a place is along the sides, times n·n.
-    template <class W>
-    [[nodiscard]] static flat_place<dimension, exact> seen_from(const M& m, const W& w, const place& x) {
-        const auto edges = shapes::edges_of(m, w);
-        return {x.over * graze::squared_norm(face_normal(edges)),
-                along_sides<dimension, exact>(x.sum - x.over * shapes::exactly(m, w.corner), edges)};
+    [[nodiscard]] static bool is_in_plane(const exact_shape& s, const place& x) {
+        return graze::sign(exact(graze::dot(x.sum - x.over * s.point, s.normal))) == 0;
     }
-
-    // On which side of a border a place is: 1 inside, 0 on it.
-    struct border {
-        int number, inside;
-    };
-    [[nodiscard]] std::vector<border> borders_at(const M& m, const standing_image& b, const place& x) const {
-        std::vector<border> result;
-        with(b, [&](const auto& w) {
-            if constexpr (requires { w.edge; }) {
-                constexpr bool triangular = is_triangle<std::remove_cvref_t<decltype(w)>>;
-                const auto seen = seen_from(m, w, x);
-                for (int k = 0; k < borders_of(dimension, triangular); ++k) {
-                    result.push_back({k, graze::sign(inside_border{k, triangular}(seen))});
-                }
+    // Where a place is along the sides, times n·n.
+    [[nodiscard]] static seen_place seen_from(const exact_shape& s, const place& x) {
+        return {x.over * graze::squared_norm(s.normal),
+                along_sides<dimension, exact>(x.sum - x.over * s.point, s.edges)};
+    }
+    // On which side of border k a place is: 1 inside, 0 on it.
+    [[nodiscard]] static int inside(int k, const exact_shape& s, const seen_place& seen) {
+        return graze::sign(inside_border{k, s.is_triangle}(seen));
+    }
+    // The least of these.
+    [[nodiscard]] static int least_inside(const exact_shape& s, const place& x) {
+        int least = 1;
+        if (!s.is_plane) {
+            const auto seen = seen_from(s, x);
+            for (int k = 0; k < borders_of(dimension, s.is_triangle); ++k) {
+                least = std::min(least, inside(k, s, seen));
             }
-        });
-        return result;
+        }
+        return least;
     }
     // The direction in the face that leads straight away from a border.
-    [[nodiscard]] vec<dimension, exact> inward_of(const M& m, const standing_image& b, int k) const {
-        return with(b, [&](const auto& w) -> vec<dimension, exact> {
-            if constexpr (requires { w.edge; }) {
-                constexpr bool triangular = is_triangle<std::remove_cvref_t<decltype(w)>>;
-                const auto edges = shapes::edges_of(m, w);
-                return make_vec<dimension>([&](int i) {
-                    auto axis = make_vec<dimension>([&](int j) { return exact(i == j ? 1 : 0); });
-                    return inwards_of_border<dimension, exact>(k, triangular,
-                                                               along_sides<dimension, exact>(axis, edges));
-                });
-            } else {
-                return shapes::exactly(m, w.normal);
-            }
+    [[nodiscard]] static vec<dimension, exact> inward_of(const exact_shape& s, int k) {
+        return make_vec<dimension>([&](int i) {
+            auto axis = make_vec<dimension>([&](int j) { return exact(i == j ? 1 : 0); });
+            return inwards_of_border<dimension, exact>(k, s.is_triangle, along_sides<dimension, exact>(axis, s.edges));
         });
     }
 };

@@ -7,9 +7,12 @@
 #include <graze/scene/images.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <type_traits>
 
 namespace graze::inline v0_1::detail {
 
@@ -32,12 +35,6 @@ class standing_images {
     [[nodiscard]] bool has_images(body b) const noexcept { return space_.is_periodic() && !shapes_.is_plane(b); }
     // The image of b that is b itself, as the point flies.
     [[nodiscard]] standing_image itself(body b) const noexcept { return {b, has_images(b) ? gone_ : image_index{}}; }
-
-    // f(s) for that image s of a plane, wall or triangle.
-    template <class F>
-    auto with(const standing_image& b, F f) const {
-        return shapes_.with(b.what, [&](const auto& s) { return space_.with_image(s, b.image - gone_, f); });
-    }
 
     // Where something is, in doubles.
     struct box {
@@ -94,27 +91,52 @@ class standing_images {
         return shapes::exactly(m, x);
     }
 
-  protected:
-    [[nodiscard]] vec<dimension, exact> normal_of(const M& m, const standing_image& b) const {
-        return with(b, [&](const auto& s) {
+    // A plane, wall or triangle without rounding: a place in it, its edges, if any, and its normal.
+    struct exact_shape {
+        vec<dimension, exact> point;
+        std::array<vec<dimension, exact>, dimension - 1> edges{};
+        vec<dimension, exact> normal;
+        bool is_plane = false, is_triangle = false;
+    };
+    [[nodiscard, gnu::noinline]] exact_shape exactly(const M& m, const standing_image& b) const {
+        return with(b, [&](const auto& s) -> exact_shape {
             if constexpr (requires { s.edge; }) {
-                return face_normal(shapes::edges_of(m, s));
+                const auto edges = shapes::edges_of(m, s);
+                return {exactly(m, s.corner), edges, face_normal(edges), false,
+                        detail::is_triangle<std::remove_cvref_t<decltype(s)>>};
             } else {
-                return exactly(m, s.normal);
-            }
-        });
-    }
-    [[nodiscard]] vec<dimension, exact> point_of(const M& m, const standing_image& b) const {
-        return with(b, [&](const auto& s) {
-            if constexpr (requires { s.edge; }) {
-                return exactly(m, s.corner);
-            } else {
-                return exactly(m, s.point);
+                return {exactly(m, s.point), {}, exactly(m, s.normal), true, false};
             }
         });
     }
 
+    // What the mechanics answers about a point and b; each is compiled once for all shapes.
+    [[nodiscard, gnu::noinline]] std::optional<typename M::time> meet(const M& m, const standing_image& b,
+                                                                      const state& x) const {
+        return with(b, [&](const auto& s) { return m.meet(x, s); });
+    }
+    [[nodiscard, gnu::noinline]] int side(const M& m, const standing_image& b, const state& x) const {
+        return with(b, [&](const auto& s) { return m.side(x, s); });
+    }
+    [[nodiscard, gnu::noinline]] int heading(const M& m, const standing_image& b, const state& x) const {
+        return with(b, [&](const auto& s) { return m.heading(x, s); });
+    }
+    [[nodiscard, gnu::noinline]] typename M::time reach(const M& m, const standing_image& b, const state& x) const {
+        return with(b, [&](const auto& s) { return m.reach(x, s); });
+    }
+    [[gnu::noinline]] void turn_back(const M& m, const standing_image& b, state& x) const {
+        with(b, [&](const auto& s) { m.turn_back(x, s); });
+    }
+    [[gnu::noinline]] void bounce(const M& m, const standing_image& b, state& x, const typename M::time& when) const {
+        with(b, [&](const auto& s) { m.bounce(x, s, when); });
+    }
+
   private:
+    // f(s) for that image s of a plane, wall or triangle.
+    template <class F>
+    auto with(const standing_image& b, F f) const {
+        return shapes_.with(b.what, [&](const auto& s) { return space_.with_image(s, b.image - gone_, f); });
+    }
     [[nodiscard]] static std::int32_t whole(double x) noexcept {
         return static_cast<std::int32_t>(std::clamp(x, -0x1p30, 0x1p30));
     }

@@ -8,6 +8,7 @@
 #include <graze/scene/images.hpp>
 #include <graze/scene/inner_edges.hpp>
 #include <graze/scene/mechanics.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_pair.hpp>
 #include <graze/scene/standing_extent.hpp>
@@ -17,14 +18,13 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
 // Parts of a scene in their canonical order.
 template <class Part>
-[[nodiscard]] std::vector<Part> sorted(std::span<const Part> pieces, const std::vector<int>& order) {
-    std::vector<Part> result;
+[[nodiscard]] records<Part> sorted(std::span<const Part> pieces, const records<int>& order) {
+    records<Part> result;
     result.reserve(order.size());
     for (const int i : order) {
         result.push_back(pieces[static_cast<std::size_t>(i)]);
@@ -106,8 +106,8 @@ class standing_shapes {
         return m.about(m.start({x, x, number(0), number(1)})).state.position;
     }
     // Where each of them is.
-    [[nodiscard]] std::vector<standing_extent<dimension>> extents(const M& m) const {
-        std::vector<standing_extent<dimension>> result;
+    [[nodiscard]] records<standing_extent<dimension>> extents(const M& m) const {
+        records<standing_extent<dimension>> result;
         for (body b = begin(); b < end(); ++b) {
             result.push_back(extent(m, b));
         }
@@ -142,11 +142,11 @@ class standing_shapes {
         return extent_of(in_doubles(m, w.corner), edge);
     }
 
-    std::vector<int> plane_names_, wall_names_, triangle_names_;
-    std::vector<plane<dimension, number>> planes_;
-    std::vector<wall<dimension, number>> walls_;
-    std::vector<triangle<number>> triangles_;
-    std::vector<std::uint8_t> inner_edges_; // of the triangles, if any are
+    records<int> plane_names_, wall_names_, triangle_names_;
+    records<plane<dimension, number>> planes_;
+    records<wall<dimension, number>> walls_;
+    records<triangle<number>> triangles_;
+    records<std::uint8_t> inner_edges_; // of the triangles, if any are
     body first_;
 };
 

@@ -6,21 +6,27 @@
 
 namespace graze::inline v0_1::detail {
 
-// The sign of F, plane_height or plane_speed, exactly.
-template <class F, int N, class T, class Shape>
-[[nodiscard, gnu::noinline]] constexpr int exact_sign_of_face(const ball<N, T>& b, const Shape& s) {
-    using P = pair_with<Shape>;
-    check(b, "ball");
-    check(s, name_of(s));
+// The sign of plane_speed or of plane_height, exactly.
+template <class P, class Row>
+[[nodiscard, gnu::noinline]] constexpr int exact_sign_in_row(const Row& row, bool of_speed) {
     exact_workspace room;
-    auto in = lift_row<P>(packed<P>(b, s));
+    auto in = lift_row<P>(row);
     in.use(room);
     const auto m = P::template motion<big_integer>(in);
-    if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
-        return graze::sign(F{}(m));
+    const auto sign_of = [of_speed](const auto& face) {
+        return of_speed ? graze::sign(plane_speed{}(face)) : graze::sign(plane_height{}(face));
+    };
+    if constexpr (requires { face_of(m); }) {
+        return sign_of(face_of(m));
     } else {
-        return graze::sign(F{}(face_of(m)));
+        return sign_of(m);
     }
+}
+template <int N, class T, class Shape>
+[[nodiscard, gnu::noinline]] constexpr int exact_sign_of_face(const ball<N, T>& b, const Shape& s, bool of_speed) {
+    check(b, "ball");
+    check(s, name_of(s));
+    return exact_sign_in_row<pair_with<Shape>>(packed<pair_with<Shape>>(b, s), of_speed);
 }
 
 // With n the plane's normal or, in space, e₀ × e₁, in the plane e₀ turned to the left: the sign of w·n.
@@ -32,7 +38,7 @@ template <int N, class T>
             return s;
         }
     }
-    return exact_sign_of_face<plane_height>(b, p);
+    return exact_sign_of_face(b, p, false);
 }
 template <int N, class T, class Shape>
 [[nodiscard]] constexpr int side_of(const ball<N, T>& b, const Shape& shape) {
@@ -42,7 +48,7 @@ template <int N, class T, class Shape>
             return s;
         }
     }
-    return exact_sign_of_face<plane_height>(b, shape);
+    return exact_sign_of_face(b, shape, false);
 }
 
 // The sign of u·n.
@@ -55,7 +61,7 @@ template <int N, class T>
             return s;
         }
     }
-    return exact_sign_of_face<plane_speed>(b, p);
+    return exact_sign_of_face(b, p, true);
 }
 template <int N, class T, class Shape>
 [[nodiscard]] constexpr int heading_of(const ball<N, T>& b, const Shape& shape) {
@@ -65,7 +71,7 @@ template <int N, class T, class Shape>
             return s;
         }
     }
-    return exact_sign_of_face<plane_speed>(b, shape);
+    return exact_sign_of_face(b, shape, true);
 }
 
 } // namespace graze::inline v0_1::detail

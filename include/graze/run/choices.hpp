@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/run/earliest.hpp>
+#include <graze/scene/records.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -10,7 +11,7 @@ class balls_of_events {
   public:
     // Notes the balls of each event, and marks the events that share a ball with another one.
     template <mechanics M>
-    void note(const moving_scene<M>& scene, std::vector<timed_event<typename M::time>>& events) {
+    void note(const moving_scene<M>& scene, records<timed_event<typename M::time>>& events) {
         entries_.clear();
         if (events.size() < 2) {
             return;
@@ -33,8 +34,8 @@ class balls_of_events {
     // Marks the events, from number `from` on, that share a ball with an event that one at `now` has caused, if that
     // has exactly the same time.
     template <mechanics M>
-    void compare(const moving_scene<M>& scene, const std::vector<predicted>& found, const typename M::time& now,
-                 std::vector<timed_event<typename M::time>>& events, std::size_t from) const {
+    void compare(const moving_scene<M>& scene, const records<predicted>& found, const typename M::time& now,
+                 records<timed_event<typename M::time>>& events, std::size_t from) const {
         if (from >= events.size()) {
             return;
         }
@@ -48,15 +49,22 @@ class balls_of_events {
     }
 
   private:
-    using entry = std::pair<body, std::size_t>; // a ball, an event
+    // A ball, and the number of an event of it.
+    struct entry {
+        body first;
+        std::size_t second;
+        [[nodiscard]] friend constexpr bool operator<(const entry& x, const entry& y) noexcept {
+            return x.first != y.first ? x.first < y.first : x.second < y.second;
+        }
+    };
 
     [[nodiscard]] bool has_event(body a, std::size_t from) const noexcept {
-        const auto e = std::lower_bound(entries_.begin(), entries_.end(), entry(a, from));
+        const auto e = std::lower_bound(entries_.begin(), entries_.end(), entry{a, from});
         return e != entries_.end() && e->first == a;
     }
-    template <class Time>
-    void mark(body a, std::size_t from, std::vector<timed_event<Time>>& events) const noexcept {
-        const auto first = std::lower_bound(entries_.begin(), entries_.end(), entry(a, from));
+    template <class Events>
+    void mark(body a, std::size_t from, Events& events) const noexcept {
+        const auto first = std::lower_bound(entries_.begin(), entries_.end(), entry{a, from});
         for (auto e = first; e != entries_.end() && e->first == a; ++e) {
             events[e->second].chosen = true;
         }
@@ -71,7 +79,7 @@ class balls_of_events {
         }
     }
 
-    std::vector<entry> entries_; // sorted
+    records<entry> entries_; // sorted
 };
 
 } // namespace graze::inline v0_1::detail

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <graze/run/moving_scene.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -24,12 +24,12 @@ struct timed_event {
 }
 
 // Sorts the candidates by bodies, which is the canonical order, and drops duplicates.
-template <class Time>
-void put_in_order(std::vector<timed_event<Time>>& nearest) {
+template <class Events>
+void put_in_order(Events& nearest) {
     if (nearest.size() < 2) {
         return;
     }
-    using event = timed_event<Time>;
+    using event = typename Events::value_type;
     std::sort(nearest.begin(), nearest.end(), [](const event& x, const event& y) {
         return std::tie(x.what.a, x.what.b, x.what.image) < std::tie(y.what.a, y.what.b, y.what.image);
     });
@@ -48,8 +48,8 @@ template <mechanics M>
 // certainly simultaneous with it. An event that may be earlier but shares no ball with it can be done later. Throws M's
 // undecided where the order matters, or where it is open whether two meet.
 template <mechanics M>
-void select_earliest_known(const moving_scene<M>& scene, const std::vector<timed_event<typename M::time>>& nearest,
-                           std::vector<timed_event<typename M::time>>& earliest) {
+void select_earliest_known(const moving_scene<M>& scene, const records<timed_event<typename M::time>>& nearest,
+                           records<timed_event<typename M::time>>& earliest) {
     const auto is_open = [&](std::size_t i) { return std::isinf(scene.rules().bounds(nearest[i].when).upper); };
     const auto order = [&](std::size_t i, std::size_t j, bool matters) -> std::optional<int> {
         try {
@@ -87,16 +87,17 @@ void select_earliest_known(const moving_scene<M>& scene, const std::vector<timed
     }
     if (!certain) { // others of its time may share a ball with an event that waits, so they wait too
         const predicted& one = nearest[first].what;
-        std::erase_if(earliest, [&](const timed_event<typename M::time>& d) {
+        const auto waits = [&](const timed_event<typename M::time>& d) {
             return !is_of_same_bodies(d.what, one) && !share_a_ball(scene, d.what, one);
-        });
+        };
+        earliest.erase(std::remove_if(earliest.begin(), earliest.end(), waits), earliest.end());
     }
 }
 
 // The earliest of them, in the same order. Allocates only where there are more than ever before.
 template <mechanics M>
-void select_earliest(const moving_scene<M>& scene, const std::vector<timed_event<typename M::time>>& nearest,
-                     std::vector<timed_event<typename M::time>>& earliest) {
+void select_earliest(const moving_scene<M>& scene, const records<timed_event<typename M::time>>& nearest,
+                     records<timed_event<typename M::time>>& earliest) {
     earliest.clear();
     try {
         for (const auto& d : nearest) {
@@ -115,7 +116,7 @@ void select_earliest(const moving_scene<M>& scene, const std::vector<timed_event
 
 // Among the planes and walls that a point will meet at one time, puts the one first that it meets first.
 template <mechanics M>
-void put_first_standing_first(const moving_scene<M>& scene, std::vector<timed_event<typename M::time>>& events) {
+void put_first_standing_first(const moving_scene<M>& scene, records<timed_event<typename M::time>>& events) {
     const auto is_standing = [&](const auto& d) { return d.what.b >= scene.balls(); };
     for (auto first = events.begin(); first != events.end();) {
         const auto of_same = [&](const auto& d) { return d.what.a == first->what.a; };

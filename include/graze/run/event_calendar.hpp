@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -67,13 +67,13 @@ class event_calendar {
                 return no_body;
             }
         }
-        return heap_.front().second;
+        return heap_.front().a;
     }
     // Whether the earliest ball is the only one with an event up to a time. False if it would take a longer search to
     // find out.
     [[nodiscard]] bool is_only_until(double time) const noexcept {
-        const double second = heap_.size() > 2   ? std::min(heap_[1].first, heap_[2].first)
-                              : heap_.size() > 1 ? heap_[1].first
+        const double second = heap_.size() > 2   ? std::min(heap_[1].when, heap_[2].when)
+                              : heap_.size() > 1 ? heap_[1].when
                                                  : never;
         return second > time && bucket_of(time) <= current_;
     }
@@ -91,7 +91,10 @@ class event_calendar {
         std::uint32_t previous = 0;
         std::uint32_t where = nowhere;
     };
-    using instant = std::pair<double, body>;
+    struct instant {
+        double when;
+        body a;
+    };
 
     [[nodiscard]] std::uint32_t waiting() const noexcept { return static_cast<std::uint32_t>(heads_.size() - 1); }
     [[nodiscard, gnu::noinline]] std::uint32_t bucket_of(double when) const noexcept {
@@ -118,19 +121,19 @@ class event_calendar {
 
     void put(std::uint32_t at, const instant& x) noexcept {
         heap_[at] = x;
-        entries_[x.second].next = at;
+        entries_[x.a].next = at;
     }
     // Puts x where it belongs once the entry at `from` is gone; a copy of x may be at `from`.
     void move(std::uint32_t from, instant x) noexcept {
         std::uint32_t at = from;
-        for (; at > 0 && x.first < heap_[(at - 1) / 2].first; at = (at - 1) / 2) {
+        for (; at > 0 && x.when < heap_[(at - 1) / 2].when; at = (at - 1) / 2) {
             put(at, heap_[(at - 1) / 2]);
         }
         const auto size = static_cast<std::uint32_t>(heap_.size());
         while (at >= from && 2 * at + 1 < size) {
             std::uint32_t child = 2 * at + 1;
-            child += child + 1 < size && heap_[child + 1].first < heap_[child].first ? 1 : 0;
-            if (!(heap_[child].first < x.first)) {
+            child += child + 1 < size && heap_[child + 1].when < heap_[child].when ? 1 : 0;
+            if (!(heap_[child].when < x.when)) {
                 break;
             }
             put(at, heap_[child]);
@@ -180,9 +183,9 @@ class event_calendar {
         return true;
     }
 
-    std::vector<entry> entries_;
-    std::vector<body> heads_; // of the buckets, and of the waiting list
-    std::vector<instant> heap_;
+    records<entry> entries_;
+    records<body> heads_; // of the buckets, and of the waiting list
+    records<instant> heap_;
     double start_ = -never, per_time_ = 1; // of the first bucket; buckets per time
     std::uint32_t current_ = 0;            // the events of this bucket and those before are in the heap
 };

@@ -5,6 +5,7 @@
 #include <graze/run/event_calendar.hpp>
 #include <graze/run/lookout.hpp>
 #include <graze/run/outcome.hpp>
+#include <graze/scene/records.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -40,14 +41,14 @@ class forecast : public lookout<M> {
     void predict(body a, double now) { pending_.push_back({a, look(a, now, true)}); }
     // Marks the events at the time `now`, from number `from` on, that share a ball with a predicted event, if that has
     // exactly the same time.
-    void mark_choices(const time& now, std::vector<timed_event<time>>& events, std::size_t from) {
+    void mark_choices(const time& now, records<timed_event<time>>& events, std::size_t from) {
         if (from >= events.size()) {
             return;
         }
         found_.clear();
         const double latest = scene_.rules().bounds(now).upper;
         for (const auto& p : pending_) {
-            gather(p.first, latest, true);
+            gather(p.a, latest, true);
         }
         balls_of_events_.compare(scene_, found_, now, events, from);
     }
@@ -62,7 +63,7 @@ class forecast : public lookout<M> {
 
     // Fills events with all of exactly the earliest time, in canonical order. Without any, says why: there will never
     // be one, or, in a scene that has a period, none up to `until` or for long.
-    ending take_earliest(std::vector<timed_event<time>>& events, double until) {
+    ending take_earliest(records<timed_event<time>>& events, double until) {
         events.clear();
         nearest_.clear();
         taken_.clear();
@@ -108,6 +109,12 @@ class forecast : public lookout<M> {
     }
 
   private:
+    // The next event of a ball that has changed.
+    struct change {
+        body a;
+        plan next;
+    };
+
     using lookout<M>::never;
     using lookout<M>::scene_;
     using lookout<M>::surroundings_;
@@ -115,6 +122,7 @@ class forecast : public lookout<M> {
     using lookout<M>::count;
     using lookout<M>::when;
     using typename lookout<M>::no_image;
+    using typename lookout<M>::listed_image;
     using lookout<M>::look;
 
     // Whether all balls fly alike and there are no planes or walls, so that nothing more will ever happen.
@@ -132,7 +140,7 @@ class forecast : public lookout<M> {
     [[nodiscard]] bool is_stale(const plan& p) const noexcept {
         return p.b < scene_.balls() && scene_.count(p.b) != p.count_b;
     }
-    [[nodiscard]] plan look_again(body a, double now) const { return look(a, now, false); }
+    [[nodiscard]] plan look_again(body a, double now) { return look(a, now, false); }
 
     // Gives ball a another shell: a wider one if it is not certain that its next event comes before it leaves.
     void renew(body a) {
@@ -143,7 +151,7 @@ class forecast : public lookout<M> {
         for (int tries = 0; tries < 4 && !settled && surroundings_.look_around(a, f, now, scene_.gone(a), more);
              ++tries) {
             const double end = surroundings_.fresh_end(f, now);
-            const plan p = this->look_ahead(a, end);
+            const plan p = this->earliest(a, end, this->listed_next(), true);
             if (!p.is_to_leave() || p.lower == end) {
                 surroundings_.make_room(a);
                 surroundings_.settle(a);
@@ -161,9 +169,7 @@ class forecast : public lookout<M> {
         if (scene_.is_periodic()) {
             this->refuse(a);
         }
-        const plan p = this->template earliest_of<no_image>(a, never, [&](const double&, auto meet) {
-            settled ? this->for_each_remaining(a, meet) : this->for_each_other(a, true, meet);
-        });
+        const plan p = this->earliest(a, never, settled ? this->remaining(a) : this->everyone(), true);
         surroundings_.spread(a);
         this->note_change(a);
         set(a, p);
@@ -176,12 +182,19 @@ class forecast : public lookout<M> {
     // Writes what a may meet until `latest` to found_. Returns by when it certainly meets one of these.
     double gather(body a, double latest, bool has_changed) {
         double upper = never;
-        this->for_each_own(a, has_changed, latest, [&](body b, const auto& image) {
+        const auto look_at = [&](body b, image_index image) {
             if (const time_bounds bounds = when(a, b, image, latest); bounds.lower <= latest && bounds.lower < never) {
-                find(a, b, this->index_of(a, b, image), bounds.lower);
+                find(a, b, image, bounds.lower);
                 upper = std::min(upper, bounds.upper);
             }
-        });
+        };
+        const auto each = [&](body b, const auto& image) { look_at(b, this->index_of(a, b, image)); };
+        const auto near = this->neighbours_of(a);
+        if (scene_.is_periodic()) {
+            this->template for_each_own<listed_image>(a, near, has_changed, latest, each, each);
+        } else {
+            this->template for_each_own<no_image>(a, near, has_changed, latest, each, each);
+        }
         return upper;
     }
     // False, and adds nothing, if it is no longer certain that a meets something until p.upper: what it would have met
@@ -209,11 +222,11 @@ class forecast : public lookout<M> {
     }
 
     event_calendar calendar_;
-    std::vector<plan> plans_;
-    std::vector<std::pair<body, plan>> pending_; // members, so that an event allocates nothing
-    std::vector<predicted> found_;
-    std::vector<timed_event<time>> nearest_;
-    std::vector<body> taken_;
+    records<plan> plans_;
+    records<change> pending_; // members, so that an event allocates nothing
+    records<predicted> found_;
+    records<timed_event<time>> nearest_;
+    records<body> taken_;
     balls_of_events balls_of_events_;
 };
 

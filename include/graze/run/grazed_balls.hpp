@@ -2,10 +2,10 @@
 #pragma once
 
 #include <graze/run/moving_scene.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -71,7 +71,7 @@ class grazed_balls {
                });
     }
 
-    std::vector<entry> balls_;
+    records<entry> balls_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
-
-#include <vector>
+#include <graze/scene/records.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -55,7 +54,7 @@ class image_ledger {
     }
 
   private:
-    std::vector<entry> entries_; // of the balls alone
+    records<entry> entries_; // of the balls alone
 };
 
 } // namespace graze::inline v0_1::detail

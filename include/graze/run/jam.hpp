@@ -2,12 +2,12 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <tuple>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -63,7 +63,7 @@ class jam_watch {
         std::uint64_t events = 0;
         double since = 0;
     };
-    std::vector<count> counts_;
+    records<count> counts_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -3,14 +3,15 @@
 
 #include <graze/run/meeting_times.hpp>
 #include <graze/run/outlines.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/surroundings.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -52,6 +53,8 @@ class listed_pairs : public meeting_times<M> {
         surroundings_ = std::move(all);
         offsets_.resize(scene_.is_periodic() ? scene_.balls() : 0);
         outlines_ = outlines<dimension>(has_outlines ? scene_.balls() : 0, scene_.period());
+        everyone_.resize(scene_.bodies());
+        std::iota(everyone_.begin(), everyone_.end(), body{0});
         changed_.resize(scene_.balls());
         for (clock_ = 0; clock_ < scene_.balls(); ++clock_) {
             changed_[clock_] = clock_;
@@ -63,15 +66,27 @@ class listed_pairs : public meeting_times<M> {
     void note_change(body a) noexcept { changed_[a] = ++clock_; }
     [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
 
-    // The bodies on a list of a's for its shell at `place`, and their images as seen from there.
+    // Bodies that a ball may meet. bodies, images: on a list for its shell at `place`, as seen from there. others:
+    // balls that are in no shell, or all bodies.
     struct neighbours {
         std::span<const body> bodies;
         std::span<const image_code> images;
         image_index place;
+        std::span<const body> others;
         bool is_fresh;
     };
     [[nodiscard]] neighbours listed(body a) const noexcept {
-        return {surroundings_.of(a), surroundings_.images_of(a), surroundings_.place(a), false};
+        return {surroundings_.of(a), surroundings_.images_of(a), surroundings_.place(a), surroundings_.everywhere(),
+                false};
+    }
+    // In a's next shell, in which surroundings has looked around.
+    [[nodiscard]] neighbours listed_next() const noexcept {
+        return {surroundings_.fresh(), surroundings_.fresh_images(), surroundings_.fresh_place(),
+                surroundings_.everywhere(), true};
+    }
+    [[nodiscard]] neighbours everyone() const noexcept { return {{}, {}, {}, everyone_, false}; }
+    [[nodiscard]] neighbours neighbours_of(body a) const noexcept {
+        return !scene_.is_periodic() && surroundings_.is_everywhere(a) ? everyone() : listed(a);
     }
     // Where the mechanics has no outlines.
     struct no_glance {
@@ -101,10 +116,11 @@ class listed_pairs : public meeting_times<M> {
             return from.is_apart(outlines_[near.bodies[i]], place);
         }
     }
-    // f(b, image) for those of these bodies that a may meet until the time `until`, which f may bring forward, and
-    // whose pair belongs to a: all of them, if a has changed.
-    template <class Image, class F>
-    void for_each_own(body a, const neighbours& near, bool has_changed, const double& until, F f) const {
+    // listed(b, image) for those of these bodies that a may meet until the time `until`, which it may bring forward,
+    // and whose pair belongs to a: all of them, if a has changed. other(b, image): the same of the others, at any time.
+    template <class Image, class F, class G>
+    [[gnu::always_inline]] void for_each_own(body a, const neighbours& near, bool has_changed, const double& until,
+                                             const F& listed, const G& other) const {
         if (scene_.balls() > fit_into_cache) {
             for (const body b : near.bodies) {
                 if (b < scene_.balls()) {
@@ -126,45 +142,42 @@ class listed_pairs : public meeting_times<M> {
                 continue;
             }
             if constexpr (std::is_same_v<Image, no_image>) {
-                f(b, no_image{});
+                listed(b, no_image{});
             } else {
                 const image_index there = is_ball ? offset - offsets_[b] : offset;
-                f(b, listed_image{near.images[i] == 0 ? there : there + decoded(near.images[i])});
+                listed(b, listed_image{near.images[i] == 0 ? there : there + decoded(near.images[i])});
             }
             mine.look_until(until);
         }
-        for (const body b : surroundings_.everywhere()) {
-            if (b != a && (has_changed || changed_[b] < changed_[a])) {
-                f(b, Image{});
+        for (const body b : near.others) {
+            if (b != a && (has_changed || b >= balls || changed_[b] < changed_[a])) {
+                other(b, Image{});
             }
         }
     }
-    template <class F>
-    void for_each_other(body a, bool has_changed, F f) const {
-        for (body b = 0; b < scene_.bodies(); ++b) {
-            if (b != a && (has_changed || b >= scene_.balls() || changed_[b] < changed_[a])) {
-                f(b, no_image{});
-            }
-        }
-    }
-    template <class F>
-    void for_each_own(body a, bool has_changed, const double& until, F f) const {
-        if (scene_.is_periodic()) {
-            for_each_own<listed_image>(a, listed(a), has_changed, until, f);
-        } else if (surroundings_.is_everywhere(a)) {
-            for_each_other(a, has_changed, f);
-        } else {
-            for_each_own<no_image>(a, listed(a), has_changed, until, f);
-        }
+    // The earliest event of a with one of these, or leaving its shell at `end`.
+    [[nodiscard]] plan earliest(body a, double end, const neighbours& near, bool has_changed) const {
+        return scene_.is_periodic() ? earliest_among<listed_image>(a, end, near, has_changed)
+                                    : earliest_among<no_image>(a, end, near, has_changed);
     }
 
     surroundings<dimension> surroundings_;
 
   private:
+    template <class Image>
+    [[nodiscard, gnu::noinline]] plan earliest_among(body a, double end, const neighbours& near,
+                                                     bool has_changed) const {
+        return this->template earliest_of<Image>(
+            a, end, [&](const double& until, const auto& listed, const auto& other) __attribute__((always_inline)) {
+                for_each_own<Image>(a, near, has_changed, until, listed, other);
+            });
+    }
+
     outlines<dimension> outlines_;
-    std::vector<std::uint64_t> changed_; // when a ball's flight or list has changed, counted by clock_
+    records<body> everyone_;
+    records<std::uint64_t> changed_; // when a ball's flight or list has changed, counted by clock_
     std::uint64_t clock_ = 0;
-    std::vector<image_index> offsets_; // in a scene that has a period: of each ball's shell from its flight
+    records<image_index> offsets_; // in a scene that has a period: of each ball's shell from its flight
 };
 
 } // namespace graze::inline v0_1::detail

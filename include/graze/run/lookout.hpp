@@ -2,13 +2,13 @@
 #pragma once
 
 #include <graze/run/listed_pairs.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/remaining_pairs.hpp>
 
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -27,13 +27,9 @@ class lookout : public listed_pairs<M> {
     using meeting_times<M>::never;
     using meeting_times<M>::scene_;
     using meeting_times<M>::start_;
-    using typename meeting_times<M>::no_image;
-    using typename meeting_times<M>::listed_image;
     using listed_pairs<M>::surroundings_;
     using typename listed_pairs<M>::neighbours;
     using listed_pairs<M>::about;
-    using listed_pairs<M>::for_each_other;
-    using listed_pairs<M>::listed;
     using listed_pairs<M>::note_change;
 
     // Lays out the surroundings anew; nothing will happen before `now`.
@@ -74,43 +70,23 @@ class lookout : public listed_pairs<M> {
     }
 
     // Those that a may still meet.
-    template <class F>
-    void for_each_remaining(body a, F f) const {
+    [[nodiscard]] neighbours remaining(body a) {
         if (!remaining_.knows(a)) {
-            for_each_other(a, true, f);
-            return;
+            return this->everyone();
         }
-        remaining_.for_each(a, alike(), [&](body b) { f(b, no_image{}); });
+        still_met_.clear();
+        remaining_.list(a, alike(), still_met_);
         for (body b = scene_.balls(); b < scene_.bodies(); ++b) {
-            f(b, no_image{});
+            still_met_.push_back(b);
         }
+        return {{}, {}, {}, still_met_, false};
     }
     [[nodiscard]] plan look(body a, double now, bool has_changed) const {
         const shell_end<dimension> end = surroundings_.end(a, about(a), now, scene_.gone(a));
         if (!end.known) { // it has no shell
             return {now, never};
         }
-        if (scene_.is_periodic()) {
-            return this->template earliest_of<listed_image>(a, end.when, [&](const double& until, auto f) {
-                this->template for_each_own<listed_image>(a, listed(a), has_changed, until, f);
-            });
-        }
-        return this->template earliest_of<no_image>(a, end.when, [&](const double& until, auto f) {
-            surroundings_.is_everywhere(a) ? for_each_other(a, has_changed, f)
-                                           : this->template for_each_own<no_image>(a, listed(a), has_changed, until, f);
-        });
-    }
-    // The same for a's next shell.
-    [[nodiscard]] plan look_ahead(body a, double end) const {
-        const neighbours near{surroundings_.fresh(), surroundings_.fresh_images(), surroundings_.fresh_place(), true};
-        return scene_.is_periodic() ? this->template earliest_of<listed_image>(
-                                          a, end,
-                                          [&](const double& until, auto f) {
-                                              this->template for_each_own<listed_image>(a, near, true, until, f);
-                                          })
-                                    : this->template earliest_of<no_image>(a, end, [&](const double& until, auto f) {
-                                          this->template for_each_own<no_image>(a, near, true, until, f);
-                                      });
+        return this->earliest(a, end.when, this->neighbours_of(a), has_changed);
     }
 
   private:
@@ -120,8 +96,8 @@ class lookout : public listed_pairs<M> {
             return order_of(scene_[a].state.state.velocity, scene_[b].state.state.velocity) == 0;
         };
     }
-    [[nodiscard]] std::vector<flight<dimension, double>> flights() const {
-        std::vector<flight<dimension, double>> all;
+    [[nodiscard]] records<flight<dimension, double>> flights() const {
+        records<flight<dimension, double>> all;
         all.reserve(scene_.balls());
         for (body a = 0; a < scene_.balls(); ++a) {
             all.push_back(about(a));
@@ -130,6 +106,7 @@ class lookout : public listed_pairs<M> {
     }
 
     remaining_pairs<dimension> remaining_;
+    records<body> still_met_; // a list made for one ball
     bool with_cells_;
 };
 

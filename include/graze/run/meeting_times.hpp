@@ -48,7 +48,7 @@ class meeting_times {
 
     [[nodiscard]] std::uint32_t count(body b) const noexcept { return b < scene_.balls() ? scene_.count(b) : 0; }
     // Bounds on when a and b meet; never, if they don't or it is certainly later than `latest`.
-    [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, image_index image, double latest) const {
+    [[nodiscard, gnu::noinline]] time_bounds when(body a, body b, image_index image, double latest) const {
         if (scene_.have_just_met(a, b, image)) {
             return {never, never};
         }
@@ -56,9 +56,9 @@ class meeting_times {
             b < a ? scene_.meet_until(b, a, image_index{} - image, latest) : scene_.meet_until(a, b, image, latest);
         return certain(bounds);
     }
-    // The same for those that a search passes on.
+    // The same in the loop that most of a run's time goes into.
     template <class Image>
-    [[nodiscard, gnu::always_inline]] time_bounds when(body a, body b, const Image& image, double latest) const {
+    [[nodiscard, gnu::always_inline]] time_bounds when_listed(body a, body b, const Image& image, double latest) const {
         if (b >= scene_.balls() || scene_.is_last_of_one(a, b)) [[unlikely]] {
             return when(a, b, index_of(a, b, image), latest);
         }
@@ -73,24 +73,29 @@ class meeting_times {
     }
 
     // The earliest event of a with the bodies that `each` passes on, each with an image of that type, or leaving its
-    // shell at `end`. What certainly comes after the time that `each` is given may be left out.
+    // shell at `end`. each(until, listed, other): calls listed(b, image) in one loop, other(b, image) of what is seldom
+    // looked at. What certainly comes after the time `until` may be left out.
     template <class Image, class Each>
-    [[nodiscard]] plan earliest_of(body a, double end, Each each) const {
+    [[nodiscard, gnu::always_inline]] plan earliest_of(body a, double end, Each each) const {
         plan p{never, end};
         Image best{};
         double second = never;
-        each(
-            p.upper, [&](body b, const Image& image) __attribute__((always_inline)) {
-                if (const time_bounds bounds = when(a, b, image, p.upper); bounds.lower < never) {
-                    second = std::min(second, std::max(p.lower, bounds.lower));
-                    if (bounds.lower < p.lower) {
-                        p.lower = bounds.lower;
-                        p.b = b;
-                        best = image;
-                    }
-                    p.upper = std::min(p.upper, bounds.upper);
+        const auto take = [&](body b, const Image& image, const time_bounds& bounds) __attribute__((always_inline)) {
+            if (bounds.lower < never) {
+                second = std::min(second, std::max(p.lower, bounds.lower));
+                if (bounds.lower < p.lower) {
+                    p.lower = bounds.lower;
+                    p.b = b;
+                    best = image;
                 }
-            });
+                p.upper = std::min(p.upper, bounds.upper);
+            }
+        };
+        each(
+            p.upper,
+            [&](body b, const Image& image)
+                __attribute__((always_inline)) { take(b, image, when_listed(a, b, image, p.upper)); },
+            [&](body b, const Image& image) { take(b, image, when(a, b, index_of(a, b, image), p.upper)); });
         if (p.upper < end || end == never) {
             p.contested = second <= p.upper && second < never;
             if (p.b != no_body) {

@@ -6,6 +6,7 @@
 #include <graze/run/numbered_balls.hpp>
 #include <graze/scene/check_scene.hpp>
 #include <graze/scene/images.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/saying.hpp>
 
 #include <algorithm>
@@ -98,7 +99,7 @@ class moving_scene {
         return images_.meet_until(balls_.movers[a].state, balls_.movers[b].state, periods, latest);
     }
     // Where planes and walls are.
-    [[nodiscard]] std::vector<standing_extent<dimension>> extents() const { return standing_.extents(rules()); }
+    [[nodiscard]] records<standing_extent<dimension>> extents() const { return standing_.extents(rules()); }
 
     // Which plane or wall a point meets first of those that it meets at exactly this time; none for a ball.
     [[nodiscard]] standing_image first_standing(body a, const time& when) const {
@@ -167,12 +168,13 @@ class moving_scene {
         if (!flies_on) {
             ledger_.set(a, {});
             bring_back(a);
-            std::erase_if(passed_, [&](const auto& p) { return p.a == a; });
+            passed_.erase(std::remove_if(passed_.begin(), passed_.end(), [&](const passage& p) { return p.a == a; }),
+                          passed_.end());
         }
     }
 
   private:
-    [[nodiscard, gnu::noinline]] time_bounds meet_standing(body a, body b, image_index image) const {
+    [[nodiscard]] time_bounds meet_standing(body a, body b, image_index image) const {
         const std::optional<time> when = meet(a, b, image);
         constexpr double never = std::numeric_limits<double>::max();
         return when ? rules().bounds(*when) : time_bounds{never, never};
@@ -233,11 +235,11 @@ class moving_scene {
     images<M> images_;
     standing_shapes<M> standing_;
     numbered_balls<M> balls_;
-    body first_standing_;               // the number of balls, which is asked for too often to be computed
-    std::vector<std::uint32_t> counts_; // side by side, since they are read far more often than flights
+    body first_standing_;           // the number of balls, which is asked for too often to be computed
+    records<std::uint32_t> counts_; // side by side, since they are read far more often than flights
     image_ledger ledger_;
-    std::vector<passage> passed_;        // immovable balls, and the planes and walls that they have met
-    std::vector<point_among<M>> points_; // if there are any, and planes or walls that they can meet
+    records<passage> passed_;        // immovable balls, and the planes and walls that they have met
+    records<point_among<M>> points_; // if there are any, and planes or walls that they can meet
 };
 
 } // namespace graze::inline v0_1::detail

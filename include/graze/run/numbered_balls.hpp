@@ -4,11 +4,11 @@
 #include <graze/run/mover.hpp>
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/images.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/scene.hpp>
 
 #include <algorithm>
 #include <span>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -16,12 +16,12 @@ namespace graze::inline v0_1::detail {
 // names: their indices in the scene.
 template <mechanics M>
 struct numbered_balls {
-    std::vector<int> names;
-    std::vector<mover<typename M::state>> movers;
+    records<int> names;
+    records<mover<typename M::state>> movers;
 
     numbered_balls(std::span<const ball<M::dimension, typename M::number>> balls, const images<M>& all) {
-        std::vector<ball<M::dimension, typename M::number>> starts;
-        std::vector<typename M::state> states;
+        records<ball<M::dimension, typename M::number>> starts;
+        records<typename M::state> states;
         for (const auto& b : balls) {
             states.push_back(all.rules().start(b));
             (void)all.bring_back(states.back());

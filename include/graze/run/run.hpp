@@ -3,6 +3,7 @@
 #pragma once
 
 #include <graze/run/run_declaration.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ outcome run<M>::go_on(const run_limits<number>& limits, listener observer) {
 }
 
 template <mechanics M>
-void run<M>::give(std::vector<state> others) {
+void run<M>::give(detail::records<state> others) {
     run changed(*this);
     for (body a = 0; a < scene().balls(); ++a) {
         state& other = others[a];

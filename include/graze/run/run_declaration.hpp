@@ -4,11 +4,11 @@
 #include <graze/run/grazed_balls.hpp>
 #include <graze/run/outcome.hpp>
 #include <graze/run/run_steps.hpp>
+#include <graze/scene/records.hpp>
 
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1 {
 
@@ -62,7 +62,7 @@ class run {
     // run as it was.
     template <class F>
     void restate(F f) {
-        std::vector<state> others;
+        detail::records<state> others;
         others.reserve(scene().balls());
         for (body a = 0; a < scene().balls(); ++a) {
             others.push_back(f(scene().name(a), scene()[a].state));
@@ -84,7 +84,7 @@ class run {
     [[nodiscard]] const detail::moving_scene<M>& scene() const noexcept { return forecast_.scene(); }
 
     outcome go_on(const run_limits<number>& limits, listener observer);
-    void give(std::vector<state> others);
+    void give(detail::records<state> others);
     void predict_anew();
     [[nodiscard]] outcome ended_by(const detail::jammed_bodies& jam, outcome& done) const;
     void stop(const detail::jammed_bodies& jam, outcome& done);
@@ -92,12 +92,12 @@ class run {
     bool perform(listener observer);
 
     detail::forecast<M> forecast_;
-    std::vector<body> place_; // of a ball, by the scene's index
+    detail::records<body> place_; // of a ball, by the scene's index
     detail::jam_watch jams_;
-    std::vector<detail::timed_event<time>> simultaneous_; // events of one time
-    std::size_t next_ = 0;                                // of simultaneous_
-    detail::grazed_balls<M> grazed_;                      // at that time
-    double now_ = 0;                                      // not after any event to come
+    detail::records<detail::timed_event<time>> simultaneous_; // events of one time
+    std::size_t next_ = 0;                                    // of simultaneous_
+    detail::grazed_balls<M> grazed_;                          // at that time
+    double now_ = 0;                                          // not after any event to come
     double still_until_ = std::numeric_limits<double>::lowest();
     std::uint64_t still_ = 0; // events since time last went on for certain
 };

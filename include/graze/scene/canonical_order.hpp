@@ -1,6 +1,7 @@
 // An order of a scene's parts that depends on their numbers, not on their places in its lists.
 #pragma once
 
+#include <graze/scene/records.hpp>
 #include <graze/shape/ball.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/wall.hpp>
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -57,8 +57,8 @@ requires requires(const W& w) { w.edge; }
 // The indices of the parts in that order. Equal parts are ordered by their marks, if there are any; identical ones stay
 // as they come.
 template <class Part>
-[[nodiscard]] std::vector<int> canonical_order(std::span<const Part> pieces, std::span<const std::uint8_t> marks = {}) {
-    std::vector<int> order(pieces.size());
+[[nodiscard]] records<int> canonical_order(std::span<const Part> pieces, std::span<const std::uint8_t> marks = {}) {
+    records<int> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int i, int j) {
         const Part& x = pieces[static_cast<std::size_t>(i)];

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
+#include <graze/scene/records.hpp>
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -55,8 +55,8 @@ class cell_lists {
     };
     [[nodiscard]] std::size_t place_of(std::uint64_t key) const noexcept { return key & (heads_.size() - 1); }
 
-    std::vector<node> nodes_;
-    std::vector<body> heads_; // some of which are of several cells; a power of two
+    records<node> nodes_;
+    records<body> heads_; // some of which are of several cells; a power of two
     std::size_t size_ = 0;
 };
 

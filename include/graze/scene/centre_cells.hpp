@@ -21,7 +21,7 @@ class centre_cells : public levelled_points<N> {
     // f(b, image) for all points' images that may be within `reach` plus their own reach of x; seldom more than once.
     // everyone: without cells.
     template <class F>
-    void around(const point& x, double reach, bool everyone, F f) const {
+    void around(const point& x, double reach, bool everyone, F&& f) const {
         const int power = power_of(reach);
         const bool every_level = everyone || find(power) == levels_.size();
         for (const level& l : levels_) {

@@ -3,10 +3,10 @@
 
 #include <graze/scene/centre_cells.hpp>
 #include <graze/scene/home_place.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/shell.hpp>
 
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -23,9 +23,9 @@ template <int N>
 // f(a, b, image), a < b, for balls that may overlap and images of the second ones, among them all that do. Finds them
 // through cells; balls with numbers beyond 2^356 are compared with all others, without images.
 template <int N, class F>
-void for_each_close_pair(const std::vector<flight<N, double>>& balls, const vec<N, double>& period, F f) {
+void for_each_close_pair(const records<flight<N, double>>& balls, const vec<N, double>& period, F f) {
     double largest = 0;
-    std::vector<body> far;
+    records<body> far;
     for (body a = 0; a < balls.size(); ++a) {
         const double reach = reach_of(balls[a].state);
         if (reach < 0x1p356) {
@@ -36,7 +36,7 @@ void for_each_close_pair(const std::vector<flight<N, double>>& balls, const vec<
     }
     const double spacing = std::max({spacing_of<N>(balls, period), largest / 0x1p20, 0x1p-390});
     centre_cells<N> cells(balls.size(), 1.0625 * std::max(spacing / 2, largest), period);
-    std::vector<image_index> whole(balls.size());
+    records<image_index> whole(balls.size());
     auto next_far = far.begin();
     for (body a = 0; a < balls.size(); ++a) {
         if (next_far != far.end() && *next_far == a) {

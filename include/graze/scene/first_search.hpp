@@ -102,7 +102,11 @@ class first_search {
             offer_all(a);
             return;
         }
-        remaining_.for_each(a, is_alike, [&](body b) { offer(a, b, {}); });
+        records<body> near;
+        remaining_.list(a, is_alike, near);
+        for (const body b : near) {
+            offer(a, b, {});
+        }
         for (body b = parts_.balls(); b < parts_.bodies(); ++b) {
             offer(a, b, {});
         }
@@ -148,7 +152,7 @@ class first_search {
 
     const Parts& parts_;
     F bounds_;
-    std::vector<flight<N, double>> balls_;
+    records<flight<N, double>> balls_;
     surroundings<N> around_;
     remaining_pairs<N> remaining_;
     std::vector<candidate> found_;

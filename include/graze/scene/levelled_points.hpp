@@ -4,6 +4,7 @@
 #include <graze/linear/vec.hpp>
 #include <graze/scene/body.hpp>
 #include <graze/scene/cell_level.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -126,9 +126,9 @@ class levelled_points {
         const auto is_it = [power](const level& l) { return l.power == power; };
         return static_cast<std::size_t>(std::find_if(levels_.begin(), levels_.end(), is_it) - levels_.begin());
     }
-    std::vector<entry> entries_;
-    std::vector<body> heads_; // of the cells' lists, some of which are of several cells; a power of two
-    std::vector<level> levels_;
+    records<entry> entries_;
+    records<body> heads_; // of the cells' lists, some of which are of several cells; a power of two
+    records<level> levels_;
     double base_ = 1;
     point period_{};
     double slack_ = 0; // more than the rounding of whole periods and of places within them

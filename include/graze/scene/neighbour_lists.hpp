@@ -2,13 +2,13 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
+#include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -83,7 +83,7 @@ class neighbour_lists {
     };
 
     void move(body a, std::size_t capacity) {
-        std::vector<std::size_t>& spare = spare_[static_cast<std::size_t>(std::countr_zero(capacity))];
+        records<std::size_t>& spare = spare_[static_cast<std::size_t>(std::countr_zero(capacity))];
         list& l = lists_[a];
         if (l.capacity > 0) {
             auto& left = spare_[static_cast<std::size_t>(std::countr_zero(l.capacity))];
@@ -114,10 +114,10 @@ class neighbour_lists {
         l.capacity = static_cast<std::uint32_t>(capacity);
     }
 
-    std::vector<list> lists_;
-    std::vector<body> bodies_;
-    std::vector<image_code> images_;
-    std::array<std::vector<std::size_t>, 33> spare_; // pieces that lists have grown out of, by their lengths' logarithm
+    records<list> lists_;
+    records<body> bodies_;
+    records<image_code> images_;
+    std::array<records<std::size_t>, 33> spare_; // pieces that lists have grown out of, by their lengths' logarithm
     bool with_images_ = false;
 };
 

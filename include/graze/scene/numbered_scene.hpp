@@ -4,6 +4,7 @@
 #include <graze/scene/body.hpp>
 #include <graze/scene/canonical_order.hpp>
 #include <graze/scene/inner_edges.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/saying.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_pair.hpp>
@@ -16,7 +17,6 @@
 #include <numeric>
 #include <span>
 #include <stdexcept>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -89,8 +89,8 @@ class numbered_scene {
         }
     }
 
-    [[nodiscard]] std::vector<flight<N, double>> flights() const {
-        std::vector<flight<N, double>> result;
+    [[nodiscard]] records<flight<N, double>> flights() const {
+        records<flight<N, double>> result;
         result.reserve(balls_.size());
         for (const int i : balls_) {
             const ball<N, T>& b = scene_.balls[static_cast<std::size_t>(i)];
@@ -98,8 +98,8 @@ class numbered_scene {
         }
         return result;
     }
-    [[nodiscard]] std::vector<standing_extent<N>> extents() const {
-        std::vector<standing_extent<N>> result;
+    [[nodiscard]] records<standing_extent<N>> extents() const {
+        records<standing_extent<N>> result;
         for (const int i : planes_) {
             const plane<N, T>& p = scene_.planes[static_cast<std::size_t>(i)];
             result.push_back(endless_extent(in_doubles(p.point), in_doubles(p.normal)));
@@ -125,16 +125,16 @@ class numbered_scene {
 
   private:
     template <class Part>
-    [[nodiscard]] static std::vector<int> order(std::span<const Part> pieces, numbering by,
-                                                std::span<const std::uint8_t> marks = {}) {
+    [[nodiscard]] static records<int> order(std::span<const Part> pieces, numbering by,
+                                            std::span<const std::uint8_t> marks = {}) {
         if (by == numbering::canonical) {
             return canonical_order(pieces, marks);
         }
-        std::vector<int> all(pieces.size());
+        records<int> all(pieces.size());
         std::iota(all.begin(), all.end(), 0);
         return all;
     }
-    [[nodiscard]] static std::size_t index(const std::vector<int>& names, std::size_t i) {
+    [[nodiscard]] static std::size_t index(const records<int>& names, std::size_t i) {
         return static_cast<std::size_t>(names[i]);
     }
     [[nodiscard]] static vec<N, double> in_doubles(const vec<N, T>& x) {
@@ -142,7 +142,7 @@ class numbered_scene {
     }
 
     const scene<N, T>& scene_;
-    std::vector<int> balls_, planes_, walls_, triangles_;
+    records<int> balls_, planes_, walls_, triangles_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -35,7 +35,7 @@ requires is_binary_input<T> || exact_number<T>
         });
     };
     const vec<N, double> period = parts.period();
-    const std::vector<flight<N, double>> balls = parts.flights();
+    const auto balls = parts.flights();
     const detail::standing_cells<N> standing(parts.extents(), parts.balls());
     for (detail::body a = 0; a < parts.balls(); ++a) {
         const ball<N, double>& b = balls[a].state;

@@ -3,6 +3,7 @@
 
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/contact.hpp>
+#include <graze/scene/bodies_found.hpp>
 #include <graze/scene/centre_cells.hpp>
 #include <graze/shape/flight.hpp>
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -26,21 +28,17 @@ class remaining_pairs {
     // known to shells of these flights is known here. [end_of_shell]
     template <class F>
     [[nodiscard]] bool find(std::span<const flight<N, double>> balls, double now, std::size_t most, F is_alike) {
-        const double window = window_of(balls, now) / 2;  // of each of two
-        is_selective_ = within_powers<-400, 400>(window); // no NaN
+        lay_cells(balls, now);
         if (!is_selective_) {
             is_known_ = most / balls.size() >= balls.size();
             return is_known_;
         }
-        cells_ = centre_cells<N>(balls.size(), window, {});
-        window_ = window;
-        cells_.make_level(window);
-        for (body a = 0; a < balls.size(); ++a) {
-            cells_.enter(a, balls[a].state.velocity, window);
-        }
         std::size_t count = 0;
+        records<body> near;
         for (body a = 0; a < balls.size() && count <= most; ++a) {
-            for_each_near(a, is_alike, [&](body) { ++count; });
+            near.clear();
+            list_near(a, is_alike, near);
+            count += near.size();
         }
         is_known_ = count <= most;
         return is_known_;
@@ -55,25 +53,38 @@ class remaining_pairs {
     }
     [[nodiscard]] bool is_outdated() const noexcept { return changes_ == changed_.size(); }
 
-    // Whether for_each says more than that a may meet all others.
+    // Whether `list` says more than that a may meet all others.
     [[nodiscard]] bool knows(body a) const noexcept {
         return is_selective_ && std::find(changed_.begin(), end_of_changed(), a) == end_of_changed();
     }
-    // f(b) for all balls that a may still meet, some of them twice.
-    template <class Alike, class F>
-    void for_each(body a, Alike is_alike, F f) const {
-        for_each_near(a, is_alike, f);
-        std::for_each(changed_.begin(), end_of_changed(), f);
+    // Adds all balls that a may still meet, some of them twice.
+    template <class Alike>
+    void list(body a, Alike is_alike, records<body>& found) const {
+        list_near(a, is_alike, found);
+        std::copy(changed_.begin(), end_of_changed(), std::back_inserter(found));
     }
 
   private:
-    template <class Alike, class F>
-    void for_each_near(body a, Alike is_alike, F f) const {
-        cells_.around(cells_[a], window_, false, [&](body b, image_index) {
-            if (b != a && !(cells_[a] == cells_[b] && is_alike(a, b))) {
-                f(b);
+    template <class Alike>
+    void list_near(body a, Alike is_alike, records<body>& found) const {
+        bodies_found near{found, nullptr, a};
+        const std::size_t first = found.size();
+        cells_.around(cells_[a], window_, false, near);
+        const auto never_meets = [&](body b) { return cells_[a] == cells_[b] && is_alike(a, b); };
+        found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), never_meets),
+                    found.end());
+    }
+    void lay_cells(std::span<const flight<N, double>> balls, double now) {
+        const double window = window_of(balls, now) / 2;  // of each of two
+        is_selective_ = within_powers<-400, 400>(window); // no NaN
+        if (is_selective_) {
+            cells_ = centre_cells<N>(balls.size(), window, {});
+            window_ = window;
+            cells_.make_level(window);
+            for (body a = 0; a < balls.size(); ++a) {
+                cells_.enter(a, balls[a].state.velocity, window);
             }
-        });
+        }
     }
     // Velocities are less than this apart, with a sixteenth to spare for mechanics that round; not a number or infinite
     // where that is not known.

@@ -3,6 +3,7 @@
 
 #include <graze/scene/body.hpp>
 #include <graze/scene/box_walk.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/standing_extent.hpp>
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace graze::inline v0_1::detail {
 
@@ -22,7 +22,7 @@ class standing_cells {
     using point = vec<N, double>;
 
     standing_cells() = default;
-    standing_cells(std::vector<standing_extent<N>> extents, body first) : parts_(std::move(extents)), first_(first) {
+    standing_cells(records<standing_extent<N>> extents, body first) : parts_(std::move(extents)), first_(first) {
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             standing_extent<N>& p = parts_[i];
             double largest = 0;
@@ -189,13 +189,13 @@ class standing_cells {
         for_each_entry([&](body b, std::size_t cell) { inside_[starts_[cell + 1]++] = b; });
     }
 
-    std::vector<standing_extent<N>> parts_;
-    std::vector<body> endless_, bounded_;
+    records<standing_extent<N>> parts_;
+    records<body> endless_, bounded_;
     body first_ = 0;
     std::size_t along_ = 0; // the number of cells along each axis
     point low_{}, per_length_{};
-    std::vector<std::size_t> starts_; // of each cell in the following
-    std::vector<body> inside_;
+    records<std::size_t> starts_; // of each cell in the following
+    records<body> inside_;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -1,10 +1,12 @@
 // Which balls may soon meet: each ball is in a shell, and leaves it before it can meet a ball that is not on its list.
 #pragma once
 
+#include <graze/scene/bodies_found.hpp>
 #include <graze/scene/centre_cells.hpp>
 #include <graze/scene/home_place.hpp>
 #include <graze/scene/idle_count.hpp>
 #include <graze/scene/neighbour_lists.hpp>
+#include <graze/scene/records.hpp>
 #include <graze/scene/shell.hpp>
 #include <graze/scene/standing_cells.hpp>
 
@@ -97,18 +99,9 @@ class surroundings {
         fresh_images_.clear();
         const double reach = next_.ball + next_.radius;
         cells_.make_level(reach);
-        cells_.around(centre_, reach, !with_cells_, [&](body b, image_index image) {
-            if (b != a) {
-                fresh_.push_back(b);
-                add_image(image);
-            }
-        });
-        const auto add = [&](image_index image) {
-            return [&, image](body b) {
-                fresh_.push_back(b);
-                add_image(image);
-            };
-        };
+        bodies_found found{fresh_, is_periodic() ? &fresh_images_ : nullptr, a};
+        cells_.around(centre_, reach, !with_cells_, found);
+        const auto add = [&](image_index image) { return [&found, image](body b) { found(b, image); }; };
         standing_.planes_around(centre_, reach, add({})); // their normals have no component along a period
         standing_.for_each_image(centre_, reach, period_, [&](const vec<N, double>& from, image_index image) {
             standing_.walls_around(from, reach, add(image));
@@ -185,11 +178,6 @@ class surroundings {
     [[nodiscard]] double way_ahead(const shell& s) const noexcept {
         return std::clamp(spacing_ - 2 * s.ball, 0.0, 0.45 * s.radius);
     }
-    void add_image(image_index image) {
-        if (is_periodic()) {
-            fresh_images_.push_back(coded(image));
-        }
-    }
     // Shells grow where there are few neighbours, and shrink where there are many.
     void resize(shell& s, std::size_t neighbours) const noexcept {
         if (neighbours < fewest) {
@@ -213,17 +201,17 @@ class surroundings {
     double shortest_ = shell_end<N>::never;
     centre_cells<N> cells_;
     neighbour_lists lists_;
-    std::vector<shell> shells_;
+    records<shell> shells_;
     body balls_ = 0; // how many
-    std::vector<body> everywhere_;
+    records<body> everywhere_;
     double spacing_ = 0; // of balls, about
     idle_count idle_;
     bool with_cells_ = false;
     // of the ball looked at last
     shell next_;
     vec<N, double> centre_{}, centre_in_flight_{};
-    std::vector<body> fresh_;
-    std::vector<image_code> fresh_images_;
+    records<body> fresh_;
+    records<image_code> fresh_images_;
 };
 
 } // namespace graze::inline v0_1::detail
