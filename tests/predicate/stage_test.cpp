@@ -75,6 +75,16 @@ TEST_CASE("Two balls") {
     const double huge = std::numeric_limits<double>::max();
     // Differences that overflow are scaled before they are taken.
     expect(hit, stage::filter, at(huge, 0, 0, -huge, 0, 0, huge), at(-huge, 0, 0, huge, 0, 0, 1));
+    // A length that overflows, of balls whose radii are scaled as they are.
+    expect(hit, stage::refined, at(huge, 0, 0, -1, 0, 0, 0x1p700), at(-huge, 0, 0, 0, 0, 0, 0x1p700));
+    // At the ends of what is scaled as it is, and beyond.
+    for (const double unit : {0x1p-905, 0x1p-895, 0x1p735, 0x1p745}) {
+        const ball still = at(0, 0, 0, 0, 0, 0, unit);
+        expect(hit, stage::filter, at(5 * unit, 0.5 * unit, 0, -0x1p-895, 0, 0, unit), still);
+        expect(miss, stage::filter, at(5 * unit, 2.5 * unit, 0, -0x1p1020, 0, 0, unit), still);
+        expect(recede, stage::filter, at(5 * unit, 0.5 * unit, 0, 0x1p-905, 0, 0, unit), still);
+        expect(overlap, stage::filter, at(unit, 0.5 * unit, 0, -0x1p1023, 0, 0, unit), still);
+    }
     expect(hit, stage::double_word, at(5 * 0x1p-600, 2 * down * 0x1p-600, 0, -1, 0, 0, 0x1p-600),
            at(0, 0, 0, 0, 0, 0, 0x1p-600));
     expect(hit, stage::exact, at(0x1p600, 0, 0, -1, 0, 0), rest); // R² underflows next to L²
