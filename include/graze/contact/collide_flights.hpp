@@ -26,8 +26,10 @@ struct clock_of_flight {
                                                        int number, P pair, const ball<N, T>& b,
                                                        const Shape& shape) const {
         if (has_time(wanted)) {
-            const event<N, T> e(pair, flight<N, T>{b, since}, shape, kind_of<N>(pair, c.feature), number, false);
-            c.time = what == encounter::overlap ? start_of<T>({since, since}) : round_exactly<T>(e, rounding::nearest);
+            const event_row<N, T> e(pair, flight<N, T>{b, since}, shape, kind_of<N>(pair, c.feature), number, false);
+            timed_workspace room;
+            c.time = what == encounter::overlap ? start_of<T>({since, since})
+                                                : round_exactly<T>(exact_root_of<P, true>(e, room), rounding::nearest);
         }
         return wanted & ~component_set{1};
     }

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <graze/formula/contact.hpp>
-#include <graze/time/round_time.hpp>
+#include <graze/time/round_exactly.hpp>
 
 namespace graze::inline v0_1::detail {
 

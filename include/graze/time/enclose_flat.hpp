@@ -115,7 +115,7 @@ template <int N, class T, class Shape>
         if (!(time > 0)) {
             return {};
         }
-        const event<N, T> e(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), number_in_wall<Shape>(found), false);
+        const event_row<N, T> e(ball_and_wall<N>{}, b, w, kind_of<N>(found.where), number_in_wall<Shape>(found), false);
         const flat_time t = flat_time_in_doubles(e, time);
         const double error = absolute(t.low) + t.error + 0x1p-49 * t.high;
         return t.good && error < 0x1p-20 * t.high ? enclosure{t.high, error} : enclosure{};

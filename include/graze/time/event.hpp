@@ -9,6 +9,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace graze::inline v0_1::detail {
 
@@ -37,7 +38,7 @@ template <class Shape, class Found>
 // a triangle is given by its index, for an edge by the edge_number. An event at its start (overlap) is of a pair that
 // overlaps or touches then.
 template <int N, class T>
-struct event {
+struct event_row {
     template <class P>
     static constexpr std::size_t numbers = P::lengths + P::velocities + P::normals;
     template <class P>
@@ -49,13 +50,12 @@ struct event {
     event_kind kind;
     std::int8_t index;
     bool overlap;
-    bool timed;   // whether it is of flights, which have epochs
-    bool nearest; // whether the enclosure of the time is around the number that it is rounded to
+    bool timed; // whether it is of flights, which have epochs
 
     // x: a ball or a flight; y: another one, or a plane, a wall or a triangle.
     template <class P, class X, class Y>
-    constexpr event(P, const X& x, const Y& y, event_kind what, int which, bool inside, bool known = false) noexcept
-        : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside), timed(is_flight<X>), nearest(known) {
+    constexpr event_row(P, const X& x, const Y& y, event_kind what, int which, bool inside) noexcept
+        : kind(what), index(static_cast<std::int8_t>(which)), overlap(inside), timed(is_flight<X>) {
         P::pack(row.data(), state_of(x), state_of(y));
         std::fill(row.begin() + numbers<P>, row.end(), T(0));
         if constexpr (is_flight<X>) {
@@ -82,31 +82,53 @@ struct event {
                : kind == event_kind::plane ? start_of(since(ball_and_plane<N>{}))
                                            : start_of(since(ball_and_wall<N>{}));
     }
+    [[nodiscard]] constexpr bool is_of_balls() const noexcept { return kind == event_kind::balls && !timed; }
 };
 
-// f(P{}) with the event's pair kind P.
-template <int N, class F>
-[[nodiscard]] constexpr auto with_pair(event_kind kind, F f) {
-    return kind == event_kind::balls   ? f(two_balls<N>{})
-           : kind == event_kind::plane ? f(ball_and_plane<N>{})
-                                       : f(ball_and_wall<N>{});
-}
+struct approached_time; // scaled_rounding.hpp
+struct exact_root;      // exact_event.hpp
 
-// use(q) with the quadratic of an event of pair kind P, from its motion.
-template <int N, class P, class M, class F>
-[[nodiscard]] constexpr auto with_quadratic(event_kind kind, int index, const M& m, F use) {
+// What an event's time asks of its pair kind, if doubles of balls don't tell. Since these are pointers, a unit compiles
+// those of the kinds that it makes.
+template <int N, class T>
+struct event_procedures {
+    // The time as an exact root, with its digits in the workspace.
+    exact_root (*root)(const event_row<N, T>&, workspace&);
+    // The time of an event after its start, which is near a double; closer than that, but not exact.
+    approached_time (*approach)(const event_row<N, T>&, double near);
+};
+
+// Those of pair kind P; of flights, if Timed.
+template <int N, class T, class P, bool Timed>
+struct procedures_of;
+
+template <int N, class T>
+struct event : event_row<N, T> {
+    bool nearest; // whether the enclosure of the time is around the number that it is rounded to
+    const event_procedures<N, T>* procedures;
+
+    template <class P, class X, class Y>
+    constexpr event(P pair, const X& x, const Y& y, event_kind what, int which, bool inside,
+                    bool known = false) noexcept
+        : event_row<N, T>(pair, x, y, what, which, inside), nearest(known),
+          procedures(&procedures_of<N, T, P, is_flight<X>>::table) {}
+};
+
+// The quadratic of an event of pair kind P, from its motion.
+template <int N, class P, class M>
+[[nodiscard]] constexpr auto quadratic_of_pair(event_kind kind, int index, const M& m) {
     if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
         if (kind == event_kind::face) {
-            return use(quadratic_of(face_of(m)));
+            return quadratic_of(face_of(m));
         }
         if constexpr (N == 3) {
             if (kind == event_kind::edge) {
-                return use(edge_quadratic(seen_from(m, edge_view(index))));
+                return edge_quadratic(seen_from(m, edge_view(index)));
             }
         }
-        return use(quadratic_of(corner_motion(seen_from(m, wall_view{index, false}))));
+        return quadratic_of(corner_motion(seen_from(m, wall_view{index, false})));
     } else {
-        return use(quadratic_of(m));
+        return quadratic_of(m);
     }
 }
 

@@ -84,7 +84,7 @@ template <int N>
 // The time of a hit near `time`.
 template <int N, class T>
 struct flat_time_near {
-    const event<N, T>* e;
+    const event_row<N, T>* e;
     double time;
 
     template <bool Fused>
@@ -118,7 +118,7 @@ struct flat_time_near {
 
 // The same as compiled for this machine.
 template <int N, class T>
-[[nodiscard]] flat_time flat_time_in_doubles(const event<N, T>& e, double time) noexcept {
+[[nodiscard]] flat_time flat_time_in_doubles(const event_row<N, T>& e, double time) noexcept {
     return with_best_products(flat_time_near<N, T>{&e, time});
 }
 

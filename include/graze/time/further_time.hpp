@@ -12,12 +12,9 @@ namespace graze::inline v0_1::detail {
 
 // The encounter of two movers, `undecided` if still open, and the stage that decided it. For a hit also its time in
 // units of 2^unit, if good; otherwise an enclosure of its time in the given units, if one is known.
-struct further_time {
+struct further_time : approached_time {
     int what = undecided;
     stage decided_by = stage::exact;
-    bool good = false;
-    bounded<double> time{};
-    int unit = 0;
     enclosure bounds{};
     bool in_range = true; // whether double words have the range
 };
@@ -195,19 +192,6 @@ template <moving B>
         }
     }
     return r;
-}
-
-// That time rounded; none where a doubt is left.
-template <class T>
-[[nodiscard]] inline certain_number<T> round_further_time(const further_time& t, rounding mode) noexcept {
-    if (!t.good) {
-        return {};
-    }
-    if (mode == rounding::nearest) {
-        return rounded_quickly<T>(t.time, t.unit);
-    }
-    return t.unit == 0 && std::is_same_v<T, double> ? certainly_rounded<T>(t.time, mode)
-                                                    : rounded_scaled<T>(t.time, t.unit, mode);
 }
 
 } // namespace graze::inline v0_1::detail

@@ -70,7 +70,7 @@ template <class M>
 
 // The time of an event that is a hit on a plane or a wall.
 template <int N, class T>
-[[nodiscard, gnu::noinline]] bounded_word hit_time(const event<N, T>& e) noexcept {
+[[nodiscard, gnu::noinline]] bounded_word hit_time(const event_row<N, T>& e) noexcept {
     if (e.kind == event_kind::plane) {
         return face_time(bounded_motion(ball_and_plane<N>{}, e.row.data()));
     }

@@ -31,7 +31,7 @@ struct impact_time_key {
 // times are, of whatever pair kinds and epochs. Comparisons use an enclosure in doubles first, and the inputs, which
 // the value keeps, only where enclosures overlap; they never round, throw or allocate. A conversion rounds once, in any
 // floating-point environment. Only time_of_impact makes it; std::optional orders that function's empty answer before
-// every time. 160 bytes for N = 3 and doubles, 120 for N = 2.
+// every time. 168 bytes for N = 3 and doubles, 128 for N = 2.
 template <int N, class T = double>
 class impact_time {
   public:
@@ -73,14 +73,14 @@ class impact_time {
 
     // The nearest number, ties to even; beyond the largest one, an infinity.
     [[nodiscard, gnu::always_inline]] explicit constexpr operator rounded_type() const {
-        return detail::round_time<rounded_type>(event_, bounds(), rounding::nearest);
+        return detail::round_time<rounded_type, rounding::nearest>(event_, bounds());
     }
     // The largest number that is not later, and the smallest number that is not earlier.
     [[nodiscard]] constexpr rounded_type lower() const {
-        return detail::round_time<rounded_type>(event_, bounds(), rounding::downward);
+        return detail::round_time<rounded_type, rounding::downward>(event_, bounds());
     }
     [[nodiscard]] constexpr rounded_type upper() const {
-        return detail::round_time<rounded_type>(event_, bounds(), rounding::upward);
+        return detail::round_time<rounded_type, rounding::upward>(event_, bounds());
     }
 
     // A double near the time, at no cost: for reports, not for decisions. In a constant expression 0.

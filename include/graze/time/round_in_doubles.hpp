@@ -7,6 +7,7 @@
 #include <graze/time/flat_time.hpp>
 #include <graze/time/hit_time.hpp>
 #include <graze/time/mover_approach.hpp>
+#include <graze/time/scaled_rounding.hpp>
 
 #include <type_traits>
 
@@ -51,43 +52,34 @@ struct hard_time_of_row : time_of_row<N, U> {
     }
 };
 
-// The time of a hit on a plane or a wall near `time` from its start. Not inlined, so that balls' times can be.
-template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] certain_number<T> round_hit_in_doubles(const event<N, U>& e, double time,
-                                                                    rounding mode) noexcept {
-    const auto start = static_cast<double>(e.start());
-    const auto rounded = [&](const bounded<double>& x) {
-        return certainly_rounded<T>(e.timed ? on_clock(start, x) : x, mode);
-    };
-    if (time > 0) {
-        if (const flat_time near = flat_time_in_doubles(e, time); near.good) [[likely]] {
-            if (const auto answer = rounded(near.bounds())) [[likely]] {
-                return answer;
-            }
-        }
-    }
-    const bounded<double> found = as_bounds(hit_time(e));
-    return absolute(found.high) > 0x1p-500 ? rounded(found) : certain_number<T>{};
-}
-
 // Whether doubles are tried at all: the inputs are doubles, or numbers that doubles hold exactly.
 template <class U>
 inline constexpr bool is_rounded_by_doubles = has_error_free_doubles && !std::is_same_v<U, std::int64_t>;
 
-// time: near that of the event, which must not be an overlap.
-template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] certain_number<T> round_in_doubles(const event<N, U>& e, double time,
-                                                                rounding mode) noexcept {
+// Whether a time is known so well that its rounding is hardly ever in doubt.
+[[nodiscard]] inline bool is_close_enough(const bounded<double>& x) noexcept {
+    return x.error < 0x1p-70 * absolute(x.high);
+}
+
+// The time of a hit on a plane or a wall: by one step from a double that is near it, or by the formulas in words.
+template <int N, class U>
+[[nodiscard]] approached_time approach_flat(const event_row<N, U>& e, double near) noexcept {
     if constexpr (is_rounded_by_doubles<U>) {
-        if (!rounds_to_nearest()) {
-            return {};
-        }
-        if (e.kind != event_kind::balls) {
-            return round_hit_in_doubles<T>(e, e.timed ? time - static_cast<double>(e.start()) : time, mode);
-        }
-        if (!e.timed) {
-            if (const auto found = with_best_products(time_of_row<N, U>{e.row.data(), time}); found.good) {
-                return certainly_rounded<T>(found.time, mode);
+        if (rounds_to_nearest()) {
+            const auto start = static_cast<double>(e.start());
+            const double time = e.timed ? near - start : near;
+            const auto found = [&](const bounded<double>& x) {
+                return approached_time{e.timed ? on_clock(start, x) : x, 0, true};
+            };
+            if (time > 0) {
+                const flat_time stepped = flat_time_in_doubles(e, time);
+                if (stepped.good && is_close_enough(stepped.bounds())) [[likely]] {
+                    return found(stepped.bounds());
+                }
+            }
+            const bounded<double> t = as_bounds(hit_time(e));
+            if (absolute(t.high) > 0x1p-500) {
+                return found(t);
             }
         }
     }

@@ -1,106 +1,18 @@
 // An event's exact time, rounded.
 #pragma once
 
-#include <graze/exact/round_root_sum.hpp>
 #include <graze/time/enclosure.hpp>
-#include <graze/time/exact_event.hpp>
 #include <graze/time/further_time.hpp>
+#include <graze/time/round_exactly.hpp>
 #include <graze/time/round_in_doubles.hpp>
 
 namespace graze::inline v0_1::detail {
 
-// The integers that make up the numbers p + q√d of a lifted motion.
-template <class M>
-[[nodiscard]] constexpr auto root_sum_integer_of(const M& m) noexcept {
-    if constexpr (requires { m.R; }) {
-        return root_sum_integer<std::remove_cvref_t<decltype(m.R)>>();
-    } else {
-        return root_sum_integer<std::remove_cvref_t<decltype(m.r)>>();
-    }
-}
-template <class M>
-using root_sum_integer_for = decltype(root_sum_integer_of(std::declval<M>()));
-
-// The smaller root (-h - √D)/a of a quadratic with a > 0, in units of 2^unit.
-template <class T, class Z, class A, class H, class From = from_now>
-[[nodiscard]] constexpr T round_root(const A& a, const H& h, const radicand<Z>& discriminant, int unit,
-                                     rounding mode = rounding::nearest, const From& counted = {}) {
-    return round_to<T>(counted(-h, a), Z(-1), discriminant, a, unit, mode);
-}
-
-// The same for h < 0 and c >= 0, as c/(-h + √D).
-template <class T, class Z, class Q>
-[[nodiscard]] constexpr T round_root_from_now(const Q& q, const radicand<Z>& discriminant, int unit,
-                                              rounding mode = rounding::nearest) {
-    return round_to_by_norm<T>(-q.h, Z(-1), discriminant, q.a, q.c, unit, mode);
-}
-
-// When an approaching ball touches a plane, (33) completed: (|w·n| - r √(n·n))/|u·n|.
-template <class T, class Z, class M, class From = from_now>
-[[nodiscard]] constexpr T round_plane_time(const M& m, const radicand<Z>& normal, int unit,
-                                           rounding mode = rounding::nearest, const From& counted = {}) {
-    const auto height = plane_height{}(m);
-    const auto other = plane_speed{}(m); // of the opposite sign
-    const bool below = graze::sign(height) < 0;
-    const auto speed = below ? other : -other;
-    return round_to<T>(counted(below ? -height : height, speed), -m.r, normal, speed, unit, mode);
-}
-
-// The same for the distance of two centres, or of a centre and a corner.
-template <class T, class M, class From = from_now>
-[[nodiscard]] constexpr T round_approach_time(const M& m, int unit, rounding mode, const From& counted = {}) {
-    const auto q = quadratic_of(m);
-    const radicand<root_sum_integer_for<M>> d(discriminant_halved{}(q));
-    return counted.is_now() ? round_root_from_now<T>(q, d, unit, mode)
-                            : round_root<T>(q.a, q.h, d, unit, mode, counted);
-}
-
-// The time of an event of a wall.
-template <class T, int N, class M, class From = from_now>
-[[nodiscard]] constexpr T round_wall_time(event_kind kind, int index, const M& m, int unit, rounding mode,
-                                          const From& counted = {}) {
-    using Z = root_sum_integer_for<M>;
-    if (kind == event_kind::face) {
-        const auto face = face_of(m);
-        return round_plane_time<T>(face, radicand<Z>(graze::squared_norm(face.n)), unit, mode, counted);
-    }
-    if constexpr (N == 3) {
-        if (kind == event_kind::edge) {
-            const auto view = seen_from(m, edge_view(index));
-            return round_root<T>(edge_a{}(view), edge_h{}(view), radicand<Z>(edge_discriminant{}(view)), unit, mode,
-                                 counted);
-        }
-    }
-    return round_approach_time<T>(corner_motion(seen_from(m, wall_view{index, false})), unit, mode, counted);
-}
-
-// The time of a pair of kind P.
-template <class T, int N, class P, class M, class From = from_now>
-[[nodiscard]] constexpr T round_pair_time(event_kind kind, int index, const M& m, int unit, rounding mode,
-                                          const From& counted = {}) {
-    using Z = root_sum_integer_for<M>;
-    if constexpr (std::is_same_v<P, ball_and_wall<N>>) {
-        return round_wall_time<T, N>(kind, index, m, unit, mode, counted);
-    } else if constexpr (std::is_same_v<P, ball_and_plane<N>>) {
-        return round_plane_time<T>(m, radicand<Z>(graze::squared_norm(m.n)), unit, mode, counted);
-    } else {
-        return round_approach_time<T>(m, unit, mode, counted);
-    }
-}
-
-// The time of an event after its start, from its inputs.
-template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] constexpr T round_exactly(const event<N, U>& e, rounding mode) {
-    return with_exact_event(e, [&]<class P>(P, const auto& m, const auto& counted, int unit) {
-        return round_pair_time<T, N, P>(e.kind, e.index, m, unit, mode, counted);
-    });
-}
-
 // A mover of an event of two movers.
 template <moving B, int N, class U>
-[[nodiscard]] constexpr B mover_in(const event<N, U>& e, std::size_t which) noexcept {
+[[nodiscard]] constexpr B mover_in(const event_row<N, U>& e, std::size_t which) noexcept {
     if constexpr (is_flight<B>) {
-        return {mover_in<ball<N, U>>(e, which), e.timed ? e.since(two_balls<N>{})[which] : U(0)};
+        return {mover_in<ball<N, U>>(e, which), e.since(two_balls<N>{})[which]};
     } else {
         B b;
         for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) {
@@ -112,17 +24,21 @@ template <moving B, int N, class U>
     }
 }
 
-// The time of two movers by doubles and double words, and by integers if these leave it open.
+// An event's time, near a double, rounded: by words and integers.
 template <class T, int N, class U>
-[[nodiscard, gnu::noinline]] T round_further(const event<N, U>& e, rounding mode) {
-    if constexpr (std::is_floating_point_v<U>) {
-        const further_time t = find_further_time(mover_in<flight<N, U>>(e, 0), mover_in<flight<N, U>>(e, 1),
-                                                 e.timed ? tried::time : tried::step);
-        if (const auto rounded = round_further_time<T>(t, mode)) {
+[[nodiscard, gnu::noinline]] constexpr T round_slowly(const event<N, U>& e, double near, rounding mode) {
+    if (!std::is_constant_evaluated()) {
+        if (const auto rounded = round_approached<T>(e.procedures->approach(e, near), mode)) {
             return *rounded;
         }
     }
-    return round_exactly<T>(e, mode);
+    if constexpr (std::is_integral_v<U>) { // always exact, and often short
+        if (const auto rounded = round_narrow<T>(e, mode)) {
+            return *rounded;
+        }
+    }
+    timed_workspace room;
+    return round_exactly<T>(e.procedures->root(e, room), mode);
 }
 
 // The time of two balls that do not overlap, near `time`, rounded to nearest: by doubles if that leaves no doubt.
@@ -145,7 +61,7 @@ struct nearest_time {
         if (all_hold(found.good, agree<T>(interval), to_nearest)) [[likely]] {
             return static_cast<T>(interval.upper);
         }
-        return round_further<T>(*e, rounding::nearest);
+        return round_slowly<T>(*e, time, rounding::nearest);
     }
 };
 
@@ -153,10 +69,36 @@ struct nearest_time {
 template <class T, int N, class U>
 [[nodiscard, gnu::noinline]] T round_hard_time(const event<N, U>& e, double time) {
     const T nearest = with_fused_products(nearest_time<T, N, U, hard_time_of_row<N, U>>{&e, time}, T(-1));
-    return nearest < 0 ? round_further<T>(e, rounding::nearest) : nearest; // balls don't touch before 0
+    return nearest < 0 ? round_slowly<T>(e, time, rounding::nearest) : nearest; // balls don't touch before 0
 }
 
-// The same for a double.
+// The time of two movers by doubles and double words.
+template <bool Timed, int N, class U>
+[[nodiscard]] approached_time approach_movers(const event_row<N, U>& e) noexcept {
+    if constexpr (std::is_floating_point_v<U>) {
+        using mover = std::conditional_t<Timed, flight<N, U>, ball<N, U>>;
+        return find_further_time(mover_in<mover>(e, 0), mover_in<mover>(e, 1), Timed ? tried::time : tried::step);
+    }
+    return {};
+}
+
+template <int N, class T, class P, bool Timed>
+struct procedures_of {
+    [[nodiscard, gnu::noinline]] static constexpr exact_root root(const event_row<N, T>& e, workspace& room) {
+        return exact_root_of<P, Timed>(e, room);
+    }
+    [[nodiscard, gnu::noinline]] static approached_time approach(const event_row<N, T>& e,
+                                                                 [[maybe_unused]] double near) {
+        if constexpr (std::is_same_v<P, two_balls<N>>) {
+            return approach_movers<Timed>(e);
+        } else {
+            return approach_flat(e, near);
+        }
+    }
+    static constexpr event_procedures<N, T> table{root, approach};
+};
+
+// A double, rounded.
 template <class T>
 [[nodiscard]] constexpr T round_double(const double& x, rounding mode) {
     const binary b = to_binary(x);
@@ -170,43 +112,41 @@ template <class T>
 }
 
 // The time of an event in the enclosure: if both ends round to the same number, so does the time.
-template <class T, int N, class U>
-[[nodiscard, gnu::always_inline]] constexpr inline T round_time(const event<N, U>& e, const enclosure& bounds,
-                                                                rounding mode) {
+template <class T, rounding Mode, int N, class U>
+[[nodiscard, gnu::always_inline]] constexpr inline T round_time(const event<N, U>& e, const enclosure& bounds) {
     if (e.overlap) {
         return static_cast<T>(e.start());
     }
-    if (e.nearest && mode == rounding::nearest) {
+    if (e.nearest && Mode == rounding::nearest) {
         if constexpr (std::is_same_v<T, double>) {
             return bounds.near;
         } else {
-            return round_double<T>(bounds.near, mode);
+            return round_double<T>(bounds.near, Mode);
         }
     }
     if constexpr (std::numeric_limits<T>::digits < 40) { // for doubles the enclosure is hardly ever narrow enough
         const double upper = bounds.upper();
-        const T low = round_double<T>(bounds.lower(), mode);
-        if (bits_of(low) == bits_of(round_double<T>(upper, mode))) {
+        const T low = round_double<T>(bounds.lower(), Mode);
+        if (bits_of(low) == bits_of(round_double<T>(upper, Mode))) {
             return low;
         }
     }
-    if (!std::is_constant_evaluated()) {
-        if constexpr (is_rounded_by_doubles<U>) { // enough for nearly every time
-            if (mode == rounding::nearest && e.kind == event_kind::balls && !e.timed) [[likely]] {
+    if constexpr (is_rounded_by_doubles<U>) { // enough for nearly every time
+        if (!std::is_constant_evaluated() && e.is_of_balls()) [[likely]] {
+            if constexpr (Mode == rounding::nearest) {
                 if (bounds.error > 0x1p-36 * bounds.near) [[unlikely]] {
                     return round_hard_time<T>(e, bounds.near);
                 }
                 return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
+            } else if (rounds_to_nearest()) {
+                const auto found = with_best_products(time_of_row<N, U>{e.row.data(), bounds.near});
+                if (const auto rounded = certainly_rounded<T>(found.time, Mode); found.good && rounded) {
+                    return *rounded;
+                }
             }
         }
-        if (const auto fast = round_in_doubles<T>(e, bounds.near, mode)) {
-            return *fast;
-        }
-        if (e.kind == event_kind::balls) {
-            return round_further<T>(e, mode);
-        }
     }
-    return round_exactly<T>(e, mode);
+    return round_slowly<T>(e, bounds.near, Mode);
 }
 
 } // namespace graze::inline v0_1::detail

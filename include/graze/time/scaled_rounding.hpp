@@ -78,4 +78,24 @@ template <class T>
     return rounded_scaled<T>(x, scale, rounding::nearest);
 }
 
+// A time in units of 2^unit, if good; otherwise nothing is known of it.
+struct approached_time {
+    bounded<double> time{};
+    int unit = 0;
+    bool good = false;
+};
+
+// Such a time rounded, if good; none where a doubt is left.
+template <class T>
+[[nodiscard]] inline certain_number<T> round_approached(const approached_time& t, rounding mode) noexcept {
+    if (!t.good) {
+        return {};
+    }
+    if (mode == rounding::nearest) {
+        return rounded_quickly<T>(t.time, t.unit);
+    }
+    return t.unit == 0 && std::is_same_v<T, double> ? certainly_rounded<T>(t.time, mode)
+                                                    : rounded_scaled<T>(t.time, t.unit, mode);
+}
+
 } // namespace graze::inline v0_1::detail

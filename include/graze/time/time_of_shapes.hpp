@@ -20,9 +20,9 @@ template <int N, class T>
     }
     const auto start = static_cast<double>(e.start());
     if (!e.overlap) {
-        const enclosure bounds = with_exact_event(e, [&]<class P>(P, const auto& m, const auto&, int unit) {
-            return with_quadratic<N, P>(e.kind, e.index, m, [&](const auto& q) { return enclose(q, unit); });
-        });
+        timed_workspace room;
+        const exact_root exact = e.procedures->root(e, room);
+        const enclosure bounds = enclose(exact.from_start, exact.unit);
         e.overlap = bounds.is_point(); // they touch
         if (!e.overlap) {
             return impact_time<N, T>(key, e.timed ? counted_from<T>(start, bounds) : bounds, e);
@@ -109,7 +109,7 @@ template <moving B>
                 enclosure bounds = t.bounds;
                 bool nearest = false;
                 if (!bounds.is_known()) {
-                    const auto rounded = round_further_time<double>(t, rounding::nearest);
+                    const auto rounded = round_approached<double>(t, rounding::nearest);
                     if (rounded && is_finite_input(*rounded)) {
                         bounds = enclosure_around(*rounded, t.unit == 0 ? t.time.error : 0);
                         nearest = std::is_same_v<T, double>;
