@@ -56,6 +56,17 @@ struct hard_time_of_row : time_of_row<N, U> {
 template <class U>
 inline constexpr bool is_rounded_by_doubles = has_error_free_doubles && !std::is_same_v<U, std::int64_t>;
 
+// The time of two balls near `near`, rounded, if doubles leave no doubt.
+template <class T, int N, class U>
+[[nodiscard]] certain_number<T> round_balls_in_doubles(const event_row<N, U>& e, double near, rounding mode) noexcept {
+    if (rounds_to_nearest()) {
+        if (const auto found = with_best_products(time_of_row<N, U>{e.row.data(), near}); found.good) {
+            return certainly_rounded<T>(found.time, mode);
+        }
+    }
+    return {};
+}
+
 // Whether a time is known so well that its rounding is hardly ever in doubt.
 [[nodiscard]] inline bool is_close_enough(const bounded<double>& x) noexcept {
     return x.error < 0x1p-70 * absolute(x.high);

@@ -138,11 +138,8 @@ template <class T, rounding Mode, int N, class U>
                     return round_hard_time<T>(e, bounds.near);
                 }
                 return with_best_products(nearest_time<T, N, U>{&e, bounds.near});
-            } else if (rounds_to_nearest()) {
-                const auto found = with_best_products(time_of_row<N, U>{e.row.data(), bounds.near});
-                if (const auto rounded = certainly_rounded<T>(found.time, Mode); found.good && rounded) {
-                    return *rounded;
-                }
+            } else if (const auto rounded = round_balls_in_doubles<T>(e, bounds.near, Mode)) {
+                return *rounded;
             }
         }
     }
