@@ -59,7 +59,7 @@ class meeting_times {
     // The same in the loop that most of a run's time goes into.
     template <class Image>
     [[nodiscard, gnu::always_inline]] time_bounds when_listed(body a, body b, const Image& image, double latest) const {
-        if (b >= scene_.balls() || scene_.is_last_of_one(a, b)) [[unlikely]] {
+        if (b >= scene_.balls() || scene_.may_have_just_met(a, b)) [[unlikely]] {
             return when(a, b, index_of(a, b, image), latest);
         }
         const bool first = a < b;

@@ -56,14 +56,14 @@ class moving_scene {
         return b < balls() ? scene_pair{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
-    // Whether one of two balls has met no other one since it met the other.
-    [[nodiscard, gnu::always_inline]] bool is_last_of_one(body a, body b) const noexcept {
-        return balls_.movers[a].last == b || balls_.movers[b].last == a;
+    // False if the two balls certainly have not just met, by a alone: b may be far away in memory.
+    [[nodiscard, gnu::always_inline]] bool may_have_just_met(body a, body b) const noexcept {
+        return balls_.movers[a].last == b || balls_.movers[a].immovable;
     }
     // Whether the two have just met: neither has had another event since, and both fly straight, so they part. Events
     // change nothing for an immovable ball; it meets each plane or wall once.
     [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, image_index image = {}) const noexcept {
-        if (b < balls() && !is_last_of_one(a, b)) [[likely]] {
+        if (b < balls() && !may_have_just_met(a, b)) [[likely]] {
             return false;
         }
         if (b >= balls() && balls_.movers[a].immovable) {
