@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace rules_test {
 
@@ -267,6 +268,24 @@ TEST_CASE("a clock is set back where every time stays exact, and between instant
     CHECK(run.advance({.time = 7}).events == 1); // and at 10
     CHECK(run.in_flight(0).since == 7);
     CHECK(run.in_flight(0).state.position == graze::vec<2, double>{9, 0});
+}
+
+TEST_CASE(
+    "an observer that sets the clock back, which it must not, is refused within an instant and else does no harm") {
+    const balls two = {{{{3, 0}}, {{-1, 0}}, 1, 1}, {{{4, 5}}, {{-1, 0}}, 2, 1}};
+    const planes ends = {{{{0, 0}}, {{1, 0}}}, {{{10, 0}}, {{1, 0}}}};
+    graze::run<plain> run(graze::scene<2>{two, ends, {}});
+    std::vector<double> times;
+    const auto done = run.advance({.events = 4}, [&](const graze::run_event<plain>& e) {
+        times.push_back(e.when);
+        if (times.size() <= 2) {
+            CHECK(run.set_clock_back(2) == (times.size() == 2));
+        }
+    });
+    CHECK(done.events == 4);
+    CHECK(times == std::vector<double>{2, 2, 6, 8});
+    CHECK(run.in_flight(0).since == 8);
+    CHECK(run.in_flight(1).since == 6);
 }
 
 TEST_CASE("other states are checked, and a run goes on from them as from a start") {
