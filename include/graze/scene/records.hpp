@@ -26,17 +26,17 @@ class record_storage {
     record_storage(record_storage&& other) noexcept
         : begin_(std::exchange(other.begin_, nullptr)), end_(std::exchange(other.end_, nullptr)),
           limit_(std::exchange(other.limit_, nullptr)) {}
-    // Allocates only where there is not room enough.
+    // Allocates only where there is not room enough; if that throws, nothing has changed.
     [[gnu::noinline]] record_storage& operator=(const record_storage& other) {
+        if (other.length() > room()) {
+            return *this = record_storage(other);
+        }
         if (this != &other) {
-            end_ = begin_;
-            if (other.length() > room()) {
-                make_room(other.length());
+            const std::size_t bytes = other.length();
+            if (bytes != 0) { // else there may be no storage
+                std::memcpy(begin_, other.begin_, bytes);
             }
-            if (other.length() != 0) {
-                std::memcpy(begin_, other.begin_, other.length());
-            }
-            end_ = begin_ + other.length();
+            end_ = begin_ + bytes;
         }
         return *this;
     }
@@ -133,6 +133,9 @@ class packed_records : public record_storage {
     }
     void pop_back() noexcept { end_ -= sizeof(T); }
     void erase(T* first, const T* last) noexcept {
+        if (first == last) { // there may be no storage
+            return;
+        }
         std::memmove(first, last, static_cast<std::size_t>(end() - last) * sizeof(T));
         end_ -= static_cast<std::size_t>(last - first) * sizeof(T);
     }
