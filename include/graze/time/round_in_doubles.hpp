@@ -67,9 +67,9 @@ template <class T, int N, class U>
     return {};
 }
 
-// Whether a time is known so well that its rounding is hardly ever in doubt.
+// Whether a time is known so well that its rounding is seldom in doubt: at most once in 2^9.
 [[nodiscard]] inline bool is_close_enough(const bounded<double>& x) noexcept {
-    return x.error < 0x1p-70 * absolute(x.high);
+    return x.error < 0x1p-63 * absolute(x.high);
 }
 
 // The time of a hit on a plane or a wall: by one step from a double that is near it, or by the formulas in words.
