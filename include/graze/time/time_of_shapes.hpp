@@ -134,7 +134,10 @@ time_in_unusual_units(const B& a, const B& b, stage& by) {
 template <int N>
 [[nodiscard, gnu::noinline]] inline std::optional<impact_time<N, double>>
 time_in_unusual_units(const ball<N, double>& a, const ball<N, double>& b, stage& by) {
-    const auto found = with_fused_products(scaled_approach<N>{&a, &b}, rounded_approach{});
+    rounded_approach found;
+    if constexpr (has_error_free_doubles) {
+        found = with_fused_products(scaled_approach<N>{&a, &b}, found);
+    }
     if (found.what == static_cast<int>(encounter::hit)) {
         by = stage::filter;
         return time_within(enclosure_around(found.time), a, b, false, true);
