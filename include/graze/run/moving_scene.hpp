@@ -63,7 +63,7 @@ class moving_scene {
     // Whether the two have just met: neither has had another event since, and both fly straight, so they part. Events
     // change nothing for an immovable ball; it meets each plane or wall once.
     [[nodiscard, gnu::always_inline]] bool have_just_met(body a, body b, image_index image = {}) const noexcept {
-        if (b < balls() && !may_have_just_met(a, b)) [[likely]] {
+        if (b < balls() && balls_.movers[a].last != b && balls_.movers[b].last != a) [[likely]] {
             return false;
         }
         if (b >= balls() && balls_.movers[a].immovable) {
