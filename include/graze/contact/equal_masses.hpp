@@ -7,9 +7,8 @@
 
 #include <graze/contact/components.hpp>
 #include <graze/contact/lane_steps.hpp>
+#include <graze/machine/fence.hpp>
 #include <graze/time/word_approach.hpp>
-
-#include <limits>
 
 namespace graze::inline v0_1::detail {
 
@@ -20,7 +19,7 @@ struct exchanged_velocities {
 
     constexpr exchanged_velocities() noexcept {
         for (int i = 0; i < N; ++i) {
-            a[i] = b[i] = {0, 0, std::numeric_limits<double>::infinity()};
+            a[i] = b[i] = {0, 0, hidden_infinity()};
         }
     }
 };

@@ -10,6 +10,7 @@
 //   all_hold     make several branches of one
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <type_traits>
 
@@ -85,6 +86,11 @@ template <class T>
     volatile double y = x;
     return y;
 #endif
+}
+
+// Infinity, of which -ffast-math knows nothing either.
+[[nodiscard, gnu::always_inline]] constexpr inline double hidden_infinity() noexcept {
+    return std::bit_cast<double>(opaque(std::uint64_t{0x7ff} << 52));
 }
 
 // x, read by itself. If a compiler sees its neighbour in memory, it would read both at once, and that would wait until

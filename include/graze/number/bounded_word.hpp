@@ -1,9 +1,8 @@
 // A double word with a running error: formulas that run in it bound their own error.
 #pragma once
 
+#include <graze/machine/fence.hpp>
 #include <graze/number/double_word.hpp>
-
-#include <limits>
 
 namespace graze::inline v0_1::detail {
 
@@ -18,9 +17,7 @@ class bounded_word {
     explicit(false) bounded_word(int x) noexcept : value_(x) {}
     explicit bounded_word(double x) noexcept : value_(x) {}
     // A value without a limit on its error: it may stand for any number.
-    [[nodiscard]] static bounded_word unknown() noexcept {
-        return {double_word(1), std::numeric_limits<double>::infinity()};
-    }
+    [[nodiscard]] static bounded_word unknown() noexcept { return {double_word(1), hidden_infinity()}; }
 
     [[nodiscard]] const double_word& value() const noexcept { return value_; }
     [[nodiscard]] double error() const noexcept { return error_; }

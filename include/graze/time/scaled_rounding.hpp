@@ -9,7 +9,6 @@
 #include <graze/time/certain_rounding.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace graze::inline v0_1::detail {
 
@@ -71,7 +70,7 @@ template <class T>
                 return {static_cast<T>(std::bit_cast<double>(bits + shift)), true};
             }
             if ((exponent < -53 || exponent >= 0x7ff) && unscaled != 0 && bits >> 63 == 0) {
-                return {exponent < 0 ? T(0) : std::numeric_limits<T>::infinity(), true};
+                return {exponent < 0 ? T(0) : static_cast<T>(hidden_infinity()), true};
             }
         }
     }
