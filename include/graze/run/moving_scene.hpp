@@ -56,9 +56,10 @@ class moving_scene {
         return b < balls() ? scene_pair{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
-    // False if the two balls certainly have not just met, by a alone: b may be far away in memory.
+    // False if the two balls have not just met, for a ball that can turn by its own record: b's may be far away in
+    // memory.
     [[nodiscard, gnu::always_inline]] bool may_have_just_met(body a, body b) const noexcept {
-        return balls_.movers[a].last == b || balls_.movers[a].immovable;
+        return balls_.movers[a].last == b || (balls_.movers[a].immovable && balls_.movers[b].last == a);
     }
     // Whether the two have just met: neither has had another event since, and both fly straight, so they part. Events
     // change nothing for an immovable ball; it meets each plane or wall once.
