@@ -36,7 +36,7 @@ template <moving B>
     const double mass_b = mass_in_doubles(b, a);
     if (what == encounter::hit) {
         open_components &= ~contact_by_words(c, open_components, a, b, mass_a, mass_b).certain;
-    } else if constexpr (std::same_as<B, ball<dimension_of<B>, double>>) {
+    } else if constexpr (has_error_free_doubles && std::same_as<B, ball<dimension_of<B>, double>>) {
         if (rounds_to_nearest()) {
             open_components &= ~overlap_by_distance(c, open_components, a, b, mass_a, mass_b);
         }
