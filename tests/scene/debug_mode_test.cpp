@@ -41,3 +41,13 @@ TEST_CASE("balls of many sizes pass through cells and lose no energy") {
     // An event rounds each component of two velocities once; so does each sum here.
     CHECK(std::fabs(left) < (events + 4 * run.balls()) * 0x1p-51 * energy);
 }
+
+TEST_CASE("floats, of which no outlines are kept, run in large scenes") {
+    std::vector<graze::ball<2, float>> balls;
+    for (int i = 0; i < 4900; ++i) {
+        const auto x = static_cast<float>(i % 70), y = static_cast<float>(i / 70);
+        balls.push_back({{{x, y}}, {{i % 2 == 0 ? 0.5f : -0.5f, 0.25f}}, 0.3f, 1});
+    }
+    graze::run<graze::exact_mechanics<2, float>> run(graze::scene<2, float>{balls, {}, {}});
+    CHECK(run.advance({.events = 20}).events == 20);
+}

@@ -127,7 +127,9 @@ class listed_pairs : public meeting_times<M> {
                     if (!has_changed) {
                         __builtin_prefetch(&changed_[b]);
                     }
-                    outlines_.fetch(b);
+                    if constexpr (has_outlines) {
+                        outlines_.fetch(b);
+                    }
                 }
             }
         }
