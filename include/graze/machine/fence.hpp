@@ -88,7 +88,7 @@ template <class T>
 #endif
 }
 
-// Infinity, of which -ffast-math knows nothing either.
+// Infinity. A compiler does not see that it is one: under -ffast-math it would assume that there is none.
 [[nodiscard, gnu::always_inline]] constexpr inline double hidden_infinity() noexcept {
     return std::bit_cast<double>(opaque(std::uint64_t{0x7ff} << 52));
 }

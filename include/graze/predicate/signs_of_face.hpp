@@ -6,15 +6,17 @@
 
 namespace graze::inline v0_1::detail {
 
-// The sign of plane_speed or of plane_height, exactly.
+enum class face_number { height, speed };
+
+// The sign of plane_height or of plane_speed, exactly.
 template <class P, class Row>
-[[nodiscard, gnu::noinline]] constexpr int exact_sign_in_row(const Row& row, bool of_speed) {
+[[nodiscard, gnu::noinline]] constexpr int exact_sign_in_row(const Row& row, face_number which) {
     exact_workspace room;
     auto in = lift_row<P>(row);
     in.use(room);
     const auto m = P::template motion<big_integer>(in);
-    const auto sign_of = [of_speed](const auto& face) {
-        return of_speed ? graze::sign(plane_speed{}(face)) : graze::sign(plane_height{}(face));
+    const auto sign_of = [which](const auto& face) {
+        return which == face_number::speed ? graze::sign(plane_speed{}(face)) : graze::sign(plane_height{}(face));
     };
     if constexpr (requires { face_of(m); }) {
         return sign_of(face_of(m));
@@ -23,10 +25,10 @@ template <class P, class Row>
     }
 }
 template <int N, class T, class Shape>
-[[nodiscard, gnu::noinline]] constexpr int exact_sign_of_face(const ball<N, T>& b, const Shape& s, bool of_speed) {
+[[nodiscard, gnu::noinline]] constexpr int exact_sign_of_face(const ball<N, T>& b, const Shape& s, face_number which) {
     check(b, "ball");
     check(s, name_of(s));
-    return exact_sign_in_row<pair_with<Shape>>(packed<pair_with<Shape>>(b, s), of_speed);
+    return exact_sign_in_row<pair_with<Shape>>(packed<pair_with<Shape>>(b, s), which);
 }
 
 // With n the plane's normal or, in space, e₀ × e₁, in the plane e₀ turned to the left: the sign of w·n.
@@ -38,7 +40,7 @@ template <int N, class T>
             return s;
         }
     }
-    return exact_sign_of_face(b, p, false);
+    return exact_sign_of_face(b, p, face_number::height);
 }
 template <int N, class T, class Shape>
 [[nodiscard]] constexpr int side_of(const ball<N, T>& b, const Shape& shape) {
@@ -48,7 +50,7 @@ template <int N, class T, class Shape>
             return s;
         }
     }
-    return exact_sign_of_face(b, shape, false);
+    return exact_sign_of_face(b, shape, face_number::height);
 }
 
 // The sign of u·n.
@@ -61,7 +63,7 @@ template <int N, class T>
             return s;
         }
     }
-    return exact_sign_of_face(b, p, true);
+    return exact_sign_of_face(b, p, face_number::speed);
 }
 template <int N, class T, class Shape>
 [[nodiscard]] constexpr int heading_of(const ball<N, T>& b, const Shape& shape) {
@@ -71,7 +73,7 @@ template <int N, class T, class Shape>
             return s;
         }
     }
-    return exact_sign_of_face(b, shape, true);
+    return exact_sign_of_face(b, shape, face_number::speed);
 }
 
 } // namespace graze::inline v0_1::detail

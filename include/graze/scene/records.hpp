@@ -103,7 +103,7 @@ class packed_records : public record_storage {
 
     void clear() noexcept { end_ = begin_; }
     void reserve(std::size_t n) {
-        if (n * sizeof(T) > room()) {
+        if (n > capacity()) {
             grow(n, sizeof(T));
         }
     }

@@ -149,20 +149,12 @@ time_in_unusual_units(const ball<N, double>& a, const ball<N, double>& b, stage&
     return found.what == static_cast<int>(encounter::overlap) ? time_of_overlap(a, b) : std::nullopt;
 }
 
-// The same, and tell the observer; the time is made where it is returned.
-template <moving B, class Observer>
+// One of these, which also tells the observer; the time is made where it is returned.
+template <bool IsUsual, moving B, class Observer>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>> tell_further(const B& a, const B& b,
                                                                                                  Observer&& observer) {
     stage by{};
-    auto further = time_of_impact_further(a, b, by);
-    observer(by);
-    return further;
-}
-template <moving B, class Observer>
-[[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>> tell_unusual(const B& a, const B& b,
-                                                                                                 Observer&& observer) {
-    stage by{};
-    auto further = time_in_unusual_units(a, b, by);
+    auto further = IsUsual ? time_of_impact_further(a, b, by) : time_in_unusual_units(a, b, by);
     observer(by);
     return further;
 }
@@ -184,7 +176,7 @@ template <moving B, class Observer>
     using T = number_in<B>;
     if (!std::is_constant_evaluated()) {
         if (!has_usual_size(a, b)) [[unlikely]] {
-            return tell_unusual(a, b, observer);
+            return tell_further<false>(a, b, observer);
         }
         // Half of all pairs part; of the others a hit takes one branch, since the other conditions never differ.
         const auto started = start_filter(a, b, true);
@@ -219,7 +211,7 @@ template <moving B, class Observer>
             return time_of_impact_further(a, b, unused); // nearly a graze
         }
     }
-    return tell_further(a, b, observer);
+    return tell_further<true>(a, b, observer);
 }
 
 } // namespace detail
