@@ -1,6 +1,7 @@
 // Cells find the same points near a given one, and their images, as a search through all points does: with few points,
 // and with so many that the lists of cells are followed side by side.
 #include <graze/scene/centre_cells.hpp>
+#include <graze/scene/home_place.hpp>
 
 #include <doctest/doctest.h>
 
@@ -78,7 +79,8 @@ void compare(std::size_t count, const point& period, double usual, double own) {
     for (std::size_t i = 0; i < 40; ++i) {
         const point& x = all.at[i * (count / 40)];
         std::vector<found_image> found;
-        cells.around(x, own, false, [&](body b, graze::detail::image_index image) {
+        cells.around(x, own, false, [&](body b, graze::detail::image_code code) {
+            const graze::detail::image_index image = graze::detail::decoded(code);
             found.emplace_back(b, image[0], image[1]);
             images += image == graze::detail::image_index{} ? 0 : 1;
         });
@@ -100,4 +102,23 @@ TEST_CASE("cells find what looking at all points finds") {
             compare(count, {1, 1}, usual, own);
         }
     }
+}
+
+TEST_CASE("cells find points at the very end of the reach, in all directions") {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> part(-0.5, 0.5);
+    const double usual = 0.04, own = 0.03, reach = 0.035;
+    int found = 0, searches = 0;
+    for (const point& period : {point{0, 0}, point{1, 1}}) {
+        for (int round = 0; round < 20'000; ++round) {
+            const double angle = 7 * part(random), far = (own + reach) * (1 - 0x1p-40);
+            const point x{part(random), part(random)}, at{x[0] + far * std::cos(angle), x[1] + far * std::sin(angle)};
+            graze::detail::centre_cells<2> cells(64, usual, period); // with so many, cells are worth their cost
+            cells.make_level(reach);
+            cells.enter(0, graze::detail::home_place<2>(at, period).at, reach);
+            cells.around(x, own, false, [&](body, graze::detail::image_code) { ++found; });
+            ++searches;
+        }
+    }
+    CHECK(found == searches);
 }

@@ -18,6 +18,7 @@ TEST_CASE("the earliest ball is one of the earliest instant, after any changes")
         graze::detail::event_calendar calendar(balls);
         std::map<graze::detail::body, double> expected;
         double now = 0;
+        int seen_ahead = 0;
         const auto schedule = [&](graze::detail::body a, double when) {
             calendar.schedule(a, when);
             if (when < never) {
@@ -42,11 +43,23 @@ TEST_CASE("the earliest ball is one of the earliest instant, after any changes")
                     PROPERTY_ASSERT(expected.count(first) == 1);
                     PROPERTY_ASSERT(expected[first] == least);
                     PROPERTY_ASSERT(calendar.when(first) == least);
+                    double last = least; // of the bucket before
+                    for (std::uint32_t later = 1; later < 4; ++later) {
+                        double latest = last;
+                        calendar.for_each_in(later, [&](graze::detail::body b) {
+                            PROPERTY_ASSERT(expected.count(b) == 1);
+                            PROPERTY_ASSERT(expected[b] >= last);
+                            latest = std::max(latest, expected[b]);
+                            ++seen_ahead;
+                        });
+                        last = latest;
+                    }
                     now = std::max(now, least);
                     schedule(first, random() % 2 == 0 ? never : now + static_cast<double>(random() % instants));
                 }
             }
         }
+        PROPERTY_ASSERT(seen_ahead > 0 || balls < 70 || instants < 1000);
         while (!expected.empty()) {
             const auto first = calendar.earliest();
             PROPERTY_ASSERT(expected.count(first) == 1);

@@ -122,7 +122,8 @@ tally check(unsigned seed, int most) {
         all.set(1, b, others);
         auto look = all.from(all[0]);
         look.look_until(until);
-        const bool apart = look.is_apart(all[1], most > 0 ? look.seen_from(all.length_of(between)) : look.here());
+        const bool apart = look.is_apart(all[1], most > 0 ? look.seen_from(all.length_of(graze::detail::coded(between)))
+                                                          : look.here());
         const bool met = is_met(a, by, b, until);
         REQUIRE_FALSE((apart && met));
         sums.apart += apart ? 1 : 0;

@@ -1,6 +1,7 @@
 // The next event of each ball of a run, the earliest first.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/scene/body.hpp>
 #include <graze/scene/records.hpp>
 
@@ -62,6 +63,7 @@ class event_calendar {
     [[nodiscard]] body earliest() noexcept {
         while (heap_.empty()) {
             if (current_ + 1 < waiting()) {
+                ++opened_;
                 distribute(++current_);
             } else if (!lay_buckets()) {
                 return no_body;
@@ -78,6 +80,23 @@ class event_calendar {
         return second > time && bucket_of(time) <= current_;
     }
     [[nodiscard]] double when(body a) const noexcept { return entries_[a].when; }
+
+    // How many buckets have been opened.
+    [[nodiscard]] std::uint64_t opened() const noexcept { return opened_; }
+    // f(a) for the balls whose events are in the bucket that is so many after the current one, if it has been laid.
+    template <class F>
+    void for_each_in(std::uint32_t later, F f) const noexcept {
+        for (body a = later < waiting() - current_ ? heads_[current_ + later] : no_body; a != no_body;
+             a = entries_[a].next) {
+            f(a);
+        }
+    }
+    // Fetches from memory what for_each_in reads of the first one in that bucket.
+    void fetch(std::uint32_t later) const noexcept {
+        if (const body a = later < waiting() - current_ ? heads_[current_ + later] : no_body; a != no_body) {
+            detail::fetch(entries_[a]);
+        }
+    }
 
   private:
     static constexpr double never = std::numeric_limits<double>::max();
@@ -188,6 +207,7 @@ class event_calendar {
     records<instant> heap_;
     double start_ = -never, per_time_ = 1; // of the first bucket; buckets per time
     std::uint32_t current_ = 0;            // the events of this bucket and those before are in the heap
+    std::uint64_t opened_ = 0;
 };
 
 } // namespace graze::inline v0_1::detail

@@ -1,6 +1,7 @@
 // The predicted events of a run's balls.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/run/choices.hpp>
 #include <graze/run/event_calendar.hpp>
 #include <graze/run/lookout.hpp>
@@ -70,6 +71,9 @@ class forecast : public lookout<M> {
         try {
             double limit = scene_.is_periodic() ? until : never;
             for (body a = calendar_.earliest(); a != no_body && calendar_.when(a) <= limit; a = calendar_.earliest()) {
+                if (calendar_.opened() != fetched_) {
+                    fetch_ahead();
+                }
                 const plan& p = plans_[a];
                 if (p.is_to_leave()) {
                     if (scene_.is_periodic() && taken_.empty()) {
@@ -137,6 +141,31 @@ class forecast : public lookout<M> {
         plans_[a] = p;
         calendar_.schedule(a, p.lower);
     }
+    // Fetches from memory, in steps of one bucket each, what the events of the next buckets will read.
+    void fetch_ahead() noexcept {
+        fetched_ = calendar_.opened();
+        if (scene_.balls() <= fit_into_cache) {
+            return;
+        }
+        const auto both = [&](auto f) {
+            return [this, f](body a) {
+                f(a, plans_[a].is_to_leave());
+                if (const body b = plans_[a].b; b < scene_.balls()) {
+                    f(b, false);
+                }
+            };
+        };
+        calendar_.fetch(6);
+        calendar_.for_each_in(5, [&](body a) { detail::fetch(plans_[a]); });
+        calendar_.for_each_in(4, both([this](body a, bool) { this->fetch_ball(a); }));
+        calendar_.for_each_in(3, both([this](body a, bool) { surroundings_.fetch_list(a); }));
+        calendar_.for_each_in(2, both([this](body a, bool leaves) { this->fetch_neighbours(a, leaves); }));
+        calendar_.for_each_in(1, both([this](body a, bool leaves) {
+                                  if (leaves) {
+                                      surroundings_.fetch_lists_around(a);
+                                  }
+                              }));
+    }
     [[nodiscard]] bool is_stale(const plan& p) const noexcept {
         return p.b < scene_.balls() && scene_.count(p.b) != p.count_b;
     }
@@ -150,7 +179,7 @@ class forecast : public lookout<M> {
         double more = 0;
         for (int tries = 0; tries < 4 && !settled && surroundings_.look_around(a, f, now, scene_.gone(a), more);
              ++tries) {
-            const double end = surroundings_.fresh_end(f, now);
+            const double end = surroundings_.fresh_end();
             const plan p = this->earliest(a, end, this->listed_next(), true);
             if (!p.is_to_leave() || p.lower == end) {
                 surroundings_.make_room(a);
@@ -222,6 +251,7 @@ class forecast : public lookout<M> {
     }
 
     event_calendar calendar_;
+    std::uint64_t fetched_ = 0; // how many buckets had been opened
     records<plan> plans_;
     records<change> pending_; // members, so that an event allocates nothing
     records<predicted> found_;

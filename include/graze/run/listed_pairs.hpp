@@ -1,6 +1,7 @@
 // The pairs of a run's balls that may meet while these are in their shells.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/run/meeting_times.hpp>
 #include <graze/run/outlines.hpp>
 #include <graze/scene/records.hpp>
@@ -64,6 +65,28 @@ class listed_pairs : public meeting_times<M> {
         }
     }
     void note_change(body a) noexcept { changed_[a] = ++clock_; }
+    // Fetches from memory a ball, its shell and where its list is; then its neighbours, when the list is there.
+    void fetch_ball(body a) const noexcept {
+        scene_.fetch(a);
+        surroundings_.fetch(a);
+        detail::fetch(changed_[a]);
+        if constexpr (has_outlines) {
+            outlines_.fetch(a);
+        }
+    }
+    void fetch_neighbours(body a, bool leaves) const noexcept {
+        for (const body b : surroundings_.of(a)) {
+            if (b < scene_.balls()) {
+                if constexpr (has_outlines) {
+                    outlines_.fetch(b);
+                }
+                scene_.fetch(b);
+                if (leaves) {
+                    surroundings_.fetch(b);
+                }
+            }
+        }
+    }
     [[nodiscard]] flight<dimension, double> about(body a) const { return scene_.rules().about(scene_[a].state); }
 
     // Bodies that a ball may meet. bodies, images: on a list for its shell at `place`, as seen from there. others:
@@ -110,7 +133,7 @@ class listed_pairs : public meeting_times<M> {
             auto place = from.here();
             if constexpr (!std::is_same_v<Image, no_image>) {
                 if (near.images[i] != 0) {
-                    place = from.seen_from(outlines_.length_of(decoded(near.images[i])));
+                    place = from.seen_from(outlines_.length_of(near.images[i]));
                 }
             }
             return from.is_apart(outlines_[near.bodies[i]], place);
@@ -125,7 +148,7 @@ class listed_pairs : public meeting_times<M> {
             for (const body b : near.bodies) {
                 if (b < scene_.balls()) {
                     if (!has_changed) {
-                        __builtin_prefetch(&changed_[b]);
+                        detail::fetch(changed_[b]);
                     }
                     if constexpr (has_outlines) {
                         outlines_.fetch(b);

@@ -1,6 +1,7 @@
 // The parts of a scene while a run changes them, and the questions about them.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/point/points.hpp>
 #include <graze/run/image_ledger.hpp>
 #include <graze/run/numbered_balls.hpp>
@@ -50,6 +51,12 @@ class moving_scene {
     // In a scene that has a period: how many periods ball a has gone back.
     [[nodiscard]] image_index gone(body a) const noexcept { return ledger_.gone(a); }
     [[nodiscard]] int name(body a) const noexcept { return balls_.names[a]; }
+
+    // Fetches a ball from memory.
+    void fetch(body a) const noexcept {
+        detail::fetch(balls_.movers[a]);
+        detail::fetch(counts_[a]);
+    }
 
     // By the scene's own indices. Of two balls, the one that comes first by its numbers is named first.
     [[nodiscard]] scene_pair named(body a, body b) const noexcept {
@@ -190,7 +197,9 @@ class moving_scene {
 
     void bring_back(body a) {
         if (is_periodic() && !balls_.movers[a].immovable) {
-            ledger_.bring_back(a, images_.bring_back(balls_.movers[a].state));
+            if (const image_index periods = images_.bring_back(balls_.movers[a].state); periods != image_index{}) {
+                ledger_.bring_back(a, periods);
+            }
         }
     }
 

@@ -1,8 +1,10 @@
 // Balls in flight as the bound of most pairs needs them: those of two that are certainly apart for a while.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/machine/lanes.hpp>
 #include <graze/scene/body.hpp>
+#include <graze/scene/image_code.hpp>
 #include <graze/time/bounds_until.hpp>
 
 #include <algorithm>
@@ -38,8 +40,11 @@ class glance {
 
     // latest: below 2^200, or none is told to be apart.
     void look_until(double latest) noexcept {
-        latest_ = latest;
-        error_ = latest < 0x1p200 ? error_until<constants>(4 * fastest2_, 0, latest - a_.u2s[1]) + 0x1p-500 : 0x1p1000;
+        if (latest != latest_) {
+            latest_ = latest;
+            error_ =
+                latest < 0x1p200 ? error_until<constants>(4 * fastest2_, 0, latest - a_.u2s[1]) + 0x1p-500 : 0x1p1000;
+        }
     }
     // Where it is, or where it is seen by those that are so far away.
     struct place {
@@ -71,7 +76,7 @@ class glance {
 
     outline a_; // its radius negative
     double fastest2_;
-    double latest_ = 0, error_ = 0;
+    double latest_ = 0x1p1000, error_ = 0x1p1000;
 };
 
 // The outlines of a run's balls. In a space with periods each is where it is as seen from its shell, so that two on
@@ -81,7 +86,11 @@ class outlines {
   public:
     outlines() = default;
     outlines(body balls, const vec<N, double>& period)
-        : all_(balls), period_(period), is_periodic_(period != vec<N, double>{}) {}
+        : all_(balls), period_(period), is_periodic_(period != vec<N, double>{}) {
+        for (int i = 0; i < N; ++i) {
+            wider_ += 0x1p-40 * period[i];
+        }
+    }
 
     void set(body a, const flight<N, double>& f, const image_index& periods) noexcept {
         all_[a] = make(f, periods);
@@ -92,29 +101,32 @@ class outlines {
     [[nodiscard]] outline make(const flight<N, double>& f, const image_index& periods) const noexcept {
         const vec<N, double>& u = f.state.velocity;
         vec<N, double> x = f.state.position;
-        double radius = f.state.radius;
-        double magnitudes = std::fabs(f.since) + radius, most = 0;
+        double places = 0, speeds = 0, most = 0;
         for (int i = 0; i < N; ++i) {
-            magnitudes += std::fabs(x[i]) + std::fabs(u[i]);
-            if (is_periodic_) {
+            places += std::fabs(x[i]);
+            speeds += std::fabs(u[i]);
+        }
+        const double radius = f.state.radius + (is_periodic_ ? 0x1p-40 * places + wider_ : 0);
+        if (periods != image_index{}) {
+            for (int i = 0; i < N; ++i) {
                 const double count = periods[static_cast<std::size_t>(i)];
-                radius += period_[i] > 0 ? 0x1p-40 * (std::fabs(x[i]) + period_[i]) : 0;
                 x.component[i] += count * period_[i];
                 most = std::max(most, std::fabs(count));
             }
         }
+        const double magnitudes = std::fabs(f.since) + f.state.radius + places + speeds;
         if (!(magnitudes < 0x1p100 && most < most_shift)) {
             return {lanes{0, 0}, lanes{0, 0x1p300}, lanes{0, 0}, lanes{0, 0}};
         }
         return {lanes{x[0], x[1]}, lanes{third(x), radius}, lanes{u[0], u[1]}, lanes{third(u), f.since}};
     }
     [[nodiscard]] const outline& operator[](body a) const noexcept { return all_[a]; }
-    // Prefetches a ball that will soon be looked at.
-    void fetch(body a) const noexcept { __builtin_prefetch(&all_[a]); }
+    // From memory.
+    void fetch(body a) const noexcept { detail::fetch(all_[a]); }
 
     [[nodiscard]] glance<N> from(const outline& a) const noexcept { return glance<N>(a, fastest2_); }
-    [[nodiscard]] vec<N, double> length_of(const image_index& periods) const noexcept {
-        return make_vec<N>([&](int i) { return periods[static_cast<std::size_t>(i)] * period_[i]; });
+    [[nodiscard]] vec<N, double> length_of(image_code periods) const noexcept {
+        return make_vec<N>([&](int i) { return decoded_along(periods, static_cast<std::size_t>(i)) * period_[i]; });
     }
 
   private:
@@ -127,6 +139,7 @@ class outlines {
 
     std::vector<outline> all_;
     vec<N, double> period_{};
+    double wider_ = 0; // is a ball, for the roundings of periods
     bool is_periodic_ = false;
     double fastest2_ = 0; // at least the square of any of their speeds since the start
 };

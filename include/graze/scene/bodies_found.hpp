@@ -2,7 +2,7 @@
 #pragma once
 
 #include <graze/scene/body.hpp>
-#include <graze/scene/neighbour_lists.hpp>
+#include <graze/scene/image_code.hpp>
 #include <graze/scene/records.hpp>
 
 namespace graze::inline v0_1::detail {
@@ -13,11 +13,11 @@ struct bodies_found {
     records<image_code>* images;
     body except = no_body;
 
-    void operator()(body b, image_index image) {
+    void operator()(body b, image_code image) {
         if (b != except) {
             bodies.push_back(b);
             if (images != nullptr) {
-                images->push_back(coded(image));
+                images->push_back(image);
             }
         }
     }

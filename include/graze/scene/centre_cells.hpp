@@ -1,6 +1,7 @@
 // The points near another one, by cells of many sizes.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/scene/box_walk.hpp>
 #include <graze/scene/levelled_points.hpp>
 
@@ -18,8 +19,8 @@ class centre_cells : public levelled_points<N> {
     using typename levelled_points<N>::point;
     using levelled_points<N>::levelled_points;
 
-    // f(b, image) for all points' images that may be within `reach` plus their own reach of x; seldom more than once.
-    // everyone: without cells.
+    // f(b, image), an image_code, for all points' images that may be within `reach` plus their own reach of x; seldom
+    // more than once. everyone: without cells.
     template <class F>
     void around(const point& x, double reach, bool everyone, F&& f) const {
         const int power = power_of(reach);
@@ -49,8 +50,8 @@ class centre_cells : public levelled_points<N> {
     // A place in a cell's list: x as seen from there is at `from`.
     struct cursor {
         point from;
-        image_index image;
         std::uint64_t key;
+        image_code image;
         body next;
     };
 
@@ -73,18 +74,15 @@ class centre_cells : public levelled_points<N> {
                 square += d * d;
             }
             if (!(square > far * far)) {
-                f(b, image);
+                f(b, coded(image));
             }
         });
     }
     template <class F>
     void look(const level& l, const point& x, double own, bool everyone, F& f) const {
-        const auto [low, high] = l.cells_within(x, 1.001 * (own + l.reach) + slack_);
-        double cells = 1;
-        for (std::size_t k = 0; k < N; ++k) {
-            cells *= static_cast<double>(high[k] - low[k] + 1);
-        }
-        if (everyone || !(cells < 2 * static_cast<double>(entries_.size()) + 64)) { // then the points are fewer
+        const double far = 1.001 * (own + l.reach) + slack_;
+        const typename level::box near = l.cells_within(x, far);
+        if (everyone || !(near.cells() < 2 * static_cast<double>(entries_.size()) + 64)) { // then the points are fewer
             for (body b = 0; b < entries_.size(); ++b) {
                 if (entries_[b].power == l.power) {
                     offer_all(b, x, (own + entries_[b].reach) * (1 + 0x1p-30) + slack_, f);
@@ -92,45 +90,47 @@ class centre_cells : public levelled_points<N> {
             }
             return;
         }
+        const double reach = own + 0x1p-30 * (own + l.reach) + slack_;
         if (entries_.size() <= fit_into_cache) {
-            l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
-                body b = heads_[key & (heads_.size() - 1)];
-                if (b == no_body) {
-                    return;
-                }
-                const image_index there = image;
-                for (; b != no_body; b = entries_[b].next) {
-                    offer(from, there, key, b, own, f);
+            const entry* const entries = entries_.data();
+            const body* const heads = heads_.data();
+            const std::uint64_t mask = heads_.size() - 1;
+            l.for_each(near, x, far, period_, [&](const point& from, image_code image, std::uint64_t key) {
+                for (body b = heads[key & mask]; b != no_body; b = entries[b].next) {
+                    offer(from, image, key, entries[b], b, reach, f);
                 }
             });
             return;
         }
         std::array<cursor, 32> lists;
         std::size_t count = 0;
-        l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
+        l.for_each(near, x, far, period_, [&](const point& from, image_code image, std::uint64_t key) {
             if (const body first = heads_[key & (heads_.size() - 1)]; first != no_body) {
-                __builtin_prefetch(&entries_[first]);
-                lists[count++] = {from, image, key, first};
+                detail::fetch(entries_[first]);
+                lists[count++] = {from, key, image, first};
                 if (count == lists.size()) {
-                    go_along(lists, count, own, f);
+                    go_along(lists, count, reach, f);
                 }
             }
         });
-        go_along(lists, count, own, f);
+        go_along(lists, count, reach, f);
     }
     template <class F>
     void look_at_finer(const level& l, const point& x, double own, F& f) const {
-        const auto [low, high] = l.cells_within(x, 1.001 * (own + std::ldexp(base_, l.power - 2)) + slack_);
-        l.for_each(low, high, x, period_, [&](const point& from, const whole_periods& image, std::uint64_t key) {
-            l.finer.for_each(key, [&](body b) { offer(from, image, entries_[b].key, b, own, f); });
+        const double largest = std::ldexp(base_, l.power - 2);
+        const double far = 1.001 * (own + largest) + slack_;
+        const double reach = own + 0x1p-30 * (own + largest) + slack_;
+        const typename level::box near = l.cells_within(x, far);
+        l.for_each(near, x, far, period_, [&](const point& from, image_code image, std::uint64_t key) {
+            l.finer.for_each(key, [&](body b) { offer(from, image, entries_[b].key, entries_[b], b, reach, f); });
         });
     }
-    // f(b, image) if b is in that cell and near.
+    // f(b, image) if b, with that entry, is in that cell and near.
     template <class F>
-    [[gnu::always_inline]] void offer(const point& from, const image_index& image, std::uint64_t key, body b,
-                                      double own, F& f) const {
-        if (const entry& e = entries_[b]; e.key == key) {
-            const double far = (own + e.reach) * (1 + 0x1p-30) + slack_;
+    [[gnu::always_inline]] static void offer(const point& from, image_code image, std::uint64_t key, const entry& e,
+                                             body b, double reach, F& f) {
+        if (e.key == key) {
+            const double far = reach + e.reach;
             if (!(graze::squared_norm(e.at - from) > far * far)) {
                 f(b, image);
             }
@@ -138,17 +138,17 @@ class centre_cells : public levelled_points<N> {
     }
     // f(b, image) for those in the lists, along all of these at once: what is next on one is fetched meanwhile.
     template <class Lists, class F>
-    void go_along(Lists& lists, std::size_t& count, double own, F& f) const {
+    void go_along(Lists& lists, std::size_t& count, double reach, F& f) const {
         while (count > 0) {
             for (std::size_t i = 0; i < count;) {
                 cursor& c = lists[i];
-                offer(c.from, c.image, c.key, c.next, own, f);
+                offer(c.from, c.image, c.key, entries_[c.next], c.next, reach, f);
                 const body next = entries_[c.next].next;
                 if (next == no_body) {
                     c = lists[--count];
                 } else {
                     c.next = next;
-                    __builtin_prefetch(&entries_[next]);
+                    detail::fetch(entries_[next]);
                     ++i;
                 }
             }

@@ -52,7 +52,8 @@ void for_each_close_pair(const records<flight<N, double>>& balls, const vec<N, d
         const home_place<N> home(balls[a].state.position, period);
         whole[a] = home.whole;
         cells.make_level(reach);
-        cells.around(home.at, reach, false, [&](body b, image_index image) { f(b, a, whole[b] - image - whole[a]); });
+        cells.around(home.at, reach, false,
+                     [&](body b, image_code image) { f(b, a, whole[b] - decoded(image) - whole[a]); });
         cells.enter(a, home.at, reach);
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/linear/vec.hpp>
+#include <graze/machine/fetch.hpp>
 #include <graze/scene/body.hpp>
 #include <graze/scene/cell_level.hpp>
 #include <graze/scene/records.hpp>
@@ -95,6 +96,7 @@ class levelled_points {
         e.power = out;
     }
     [[nodiscard]] const point& operator[](body a) const noexcept { return entries_[a].at; }
+    void fetch(body a) const noexcept { detail::fetch(entries_[a]); }
 
   protected:
     static constexpr int out = 1 << 20;

@@ -1,7 +1,9 @@
 // The neighbours of each ball of a run: those that it may meet while it is in its shell.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/scene/body.hpp>
+#include <graze/scene/image_code.hpp>
 #include <graze/scene/records.hpp>
 
 #include <algorithm>
@@ -11,23 +13,6 @@
 #include <span>
 
 namespace graze::inline v0_1::detail {
-
-// Few whole periods along each axis, as x + 2^10 y + 2^20 z modulo 2^32: 0 stands for none, and -n for those back.
-using image_code = std::uint32_t;
-
-inline constexpr std::int32_t most_periods = 100;
-[[nodiscard]] constexpr image_code coded(const whole_periods& x) noexcept {
-    return static_cast<image_code>(x[0]) + (static_cast<image_code>(x[1]) << 10) +
-           (static_cast<image_code>(x[2]) << 20);
-}
-[[nodiscard]] constexpr image_index decoded(image_code x) noexcept {
-    whole_periods all{};
-    for (std::int32_t& n : all) {
-        n = static_cast<std::int32_t>(x << 22) >> 22;
-        x = static_cast<image_code>(static_cast<std::int32_t>(x - static_cast<image_code>(n)) >> 10);
-    }
-    return all;
-}
 
 // Lists of bodies, in one piece of memory. If one ball is on another's list, the other is on its list. image: which of
 // a body's images it is, where there are any. After make_room, no change of lists allocates or throws.
@@ -43,6 +28,15 @@ class neighbour_lists {
     [[nodiscard]] std::span<const image_code> images_of(body a) const noexcept {
         return with_images_ ? std::span(images_.data() + lists_[a].first, lists_[a].size)
                             : std::span<const image_code>();
+    }
+
+    // Fetches from memory where a list is; then the list.
+    void fetch_place(body a) const noexcept { detail::fetch(lists_[a]); }
+    void fetch(body a) const noexcept {
+        const std::span<const body> all = of(a);
+        for (std::size_t i = 0; i < all.size(); i += 16) {
+            fetch_line(all.data() + i);
+        }
     }
 
     void make_room(body a, std::size_t more) {

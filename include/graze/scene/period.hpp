@@ -18,6 +18,11 @@ namespace graze::inline v0_1 {
 // x was. Returns by how many lengths x was larger. Throws std::range_error if these are 2^30 or more.
 template <class T>
 constexpr std::int32_t bring_within(T& x, const T& length) {
+    if constexpr (std::floating_point<T>) {
+        if (x < length / 2 && x > -length / 2 && x != 0) [[likely]] { // a half is exact
+            return 0;
+        }
+    }
     const double periods = static_cast<double>(x) / static_cast<double>(length);
     if (!(periods < 0x1p30 && periods > -0x1p30)) {
         throw std::range_error("a position is too many periods away");

@@ -1,6 +1,7 @@
 // Which balls may soon meet: each ball is in a shell, and leaves it before it can meet a ball that is not on its list.
 #pragma once
 
+#include <graze/machine/fetch.hpp>
 #include <graze/scene/bodies_found.hpp>
 #include <graze/scene/centre_cells.hpp>
 #include <graze/scene/home_place.hpp>
@@ -58,6 +59,20 @@ class surroundings {
     [[nodiscard]] bool is_everywhere(body a) const noexcept { return shells_[a].everywhere; }
     [[nodiscard]] std::span<const body> everywhere() const noexcept { return everywhere_; }
     [[nodiscard]] std::span<const body> of(body a) const noexcept { return lists_.of(a); }
+    // Fetches a ball's shell from memory, and where its list is; then the list.
+    void fetch(body a) const noexcept {
+        detail::fetch(shells_[a]);
+        lists_.fetch_place(a);
+        cells_.fetch(a);
+    }
+    void fetch_list(body a) const noexcept { lists_.fetch(a); }
+    void fetch_lists_around(body a) const noexcept {
+        for (const body b : lists_.of(a)) {
+            if (b < balls_) {
+                lists_.fetch(b);
+            }
+        }
+    }
     // In a periodic space: the image that may be near of b, the i-th on a's list, counted as in `predicted`.
     [[nodiscard]] image_index image(body a, std::size_t i, body b) const noexcept {
         return decoded(lists_.images_of(a)[i]) + shells_[a].place - (b < balls_ ? shells_[b].place : image_index{});
@@ -90,9 +105,9 @@ class surroundings {
         const auto [at, whole] = home_place<N>(place, period_);
         centre_ = at;
         next_.place = whole + gone;
-        centre_in_flight_ = from_flight(centre_, whole);
-        if (!end_of_shell(f, now, centre_in_flight_, next_.radius).known ||
-            next_.radius > 0.25 * most_periods * shortest_) {
+        const shell_end<N> end = end_of_shell(f, now, from_flight(centre_, whole), next_.radius);
+        next_end_ = end.when;
+        if (!end.known || next_.radius > 0.25 * most_periods * shortest_) {
             return false;
         }
         fresh_.clear();
@@ -101,18 +116,16 @@ class surroundings {
         cells_.make_level(reach);
         bodies_found found{fresh_, is_periodic() ? &fresh_images_ : nullptr, a};
         cells_.around(centre_, reach, !with_cells_, found);
-        const auto add = [&](image_index image) { return [&found, image](body b) { found(b, image); }; };
-        standing_.planes_around(centre_, reach, add({})); // their normals have no component along a period
-        standing_.for_each_image(centre_, reach, period_, [&](const vec<N, double>& from, image_index image) {
-            standing_.walls_around(from, reach, add(image));
+        const auto add = [&](image_code image) { return [&found, image](body b) { found(b, image); }; };
+        standing_.planes_around(centre_, reach, add(0)); // their normals have no component along a period
+        standing_.for_each_image(centre_, reach, period_, [&](const vec<N, double>& from, const whole_periods& image) {
+            standing_.walls_around(from, reach, add(coded(image)));
         });
         return true;
     }
     [[nodiscard]] std::span<const body> fresh() const noexcept { return fresh_; }
     // Until when a will be in that shell.
-    [[nodiscard]] double fresh_end(const flight<N, double>& f, double now) const noexcept {
-        return end_of_shell(f, now, centre_in_flight_, next_.radius).when;
-    }
+    [[nodiscard]] double fresh_end() const noexcept { return next_end_; }
     // After this, settle neither allocates nor throws.
     void make_room(body a) {
         for (const body b : fresh_) {
@@ -151,7 +164,7 @@ class surroundings {
     // How many distances between balls a shell and its ball are to reach: a dozen balls are then on a list in space. A
     // shell is not less than `narrowest` of them, or the ball would leave it too often.
     static constexpr double crowded = 0.7, narrowest = 0.3;
-    static constexpr std::size_t fewest = 5, most = N == 2 ? 16 : 32;
+    static constexpr std::size_t fewest = 3, most = N == 2 ? 16 : 32;
 
     struct shell {
         double ball = 0;   // its radius
@@ -209,7 +222,8 @@ class surroundings {
     bool with_cells_ = false;
     // of the ball looked at last
     shell next_;
-    vec<N, double> centre_{}, centre_in_flight_{};
+    vec<N, double> centre_{};
+    double next_end_ = 0;
     records<body> fresh_;
     records<image_code> fresh_images_;
 };
