@@ -102,6 +102,7 @@ class outlines {
         const vec<N, double>& u = f.state.velocity;
         vec<N, double> x = f.state.position;
         double places = 0, speeds = 0, most = 0;
+#pragma GCC unroll 3
         for (int i = 0; i < N; ++i) {
             places += std::fabs(x[i]);
             speeds += std::fabs(u[i]);

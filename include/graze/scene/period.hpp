@@ -56,6 +56,7 @@ constexpr std::int32_t bring_within(T& x, const T& length) {
 template <int N, class T>
 constexpr std::array<std::int32_t, 3> bring_within(vec<N, T>& x, const vec<N, T>& period) {
     std::array<std::int32_t, 3> gone{};
+#pragma GCC unroll 3
     for (int i = 0; i < N; ++i) {
         if (graze::sign(period[i]) > 0) {
             gone[static_cast<std::size_t>(i)] = bring_within(x.component[i], period[i]);

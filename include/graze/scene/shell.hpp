@@ -30,6 +30,7 @@ template <int N>
     constexpr double never = shell_end<N>::never;
     const vec<N, double>& u = f.state.velocity;
     double far = 0, speed = 0, fastest = 0;
+#pragma GCC unroll 3
     for (int i = 0; i < N; ++i) {
         far += std::fabs(f.state.position[i]);
         speed += std::fabs(u[i]);

@@ -182,7 +182,7 @@ class surroundings {
         return least;
     }
     [[nodiscard]] vec<N, double> from_flight(vec<N, double> centre, image_index periods) const noexcept {
-        for (int i = 0; i < N && is_periodic(); ++i) {
+        for (int i = 0; i < N && periods != image_index{}; ++i) {
             centre.component[i] += periods[static_cast<std::size_t>(i)] * period_[i];
         }
         return centre;
