@@ -38,7 +38,7 @@ STANDARD = {
     "string": "string to_string",
     "string_view": "string_view",
     "tuple": "tie",
-    "type_traits": "bool_constant conditional_t false_type integral_constant is_constant_evaluated is_floating_point_v is_integral_v is_same_v "
+    "type_traits": "bool_constant conditional_t false_type integral_constant is_constant_evaluated is_class_v is_floating_point_v is_integral_v is_same_v "
     "is_standard_layout_v is_trivially_copyable_v is_void_v remove_cv_t remove_cvref_t true_type",
     "utility": "exchange forward in_place integer_sequence make_integer_sequence move pair swap",
     "variant": "get_if variant visit",

@@ -2,6 +2,7 @@
 #include "../environments/state.hpp"
 
 #include <graze/machine/environment.hpp>
+#include <graze/machine/fence.hpp>
 
 #include <doctest/doctest.h>
 
@@ -30,4 +31,13 @@ TEST_CASE("only rounding to nearest with subnormals kept is trusted") {
             CHECK(calculated == trusted);
         }
     }
+}
+
+TEST_CASE("a fence passes pairs of doubles on, as lanes are where no register holds two") {
+    struct pair {
+        double first, second;
+    };
+    const pair x = graze::detail::settled(pair{1, 2});
+    CHECK(x.first == 1);
+    CHECK(x.second == 2);
 }

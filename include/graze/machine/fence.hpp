@@ -22,20 +22,28 @@ template <class V>
     if (std::is_constant_evaluated()) {
         return x;
     }
-#if defined(__clang__) && defined(__x86_64__)
-    __asm__("" : "+x"(x)); // __arithmetic_fence leaves products free to be fused
-    return x;
-#elif defined(__clang__) && defined(__aarch64__)
-    __asm__("" : "+w"(x));
-    return x;
-#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
-    return __builtin_assoc_barrier(x);
-#elif defined(__GNUC__)
-    __asm__("" : "+m"(x));
-    return x;
-#else
-    return x;
+#if defined(__GNUC__)
+    if constexpr (std::is_class_v<V>) { // fits no register, as lanes where there are no vectors
+        __asm__("" : "+m"(x));
+        return x;
+    } else
 #endif
+    {
+#if defined(__clang__) && defined(__x86_64__)
+        __asm__("" : "+x"(x)); // __arithmetic_fence leaves products free to be fused
+        return x;
+#elif defined(__clang__) && defined(__aarch64__)
+        __asm__("" : "+w"(x));
+        return x;
+#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+        return __builtin_assoc_barrier(x);
+#elif defined(__GNUC__)
+        __asm__("" : "+m"(x));
+        return x;
+#else
+        return x;
+#endif
+    }
 }
 
 // x as memory would hold it. Where a predicate is inlined, a caller's argument `p + d` may still be an expression.
