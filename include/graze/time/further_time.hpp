@@ -58,22 +58,24 @@ template <moving B>
         });
 }
 
-// For movers in range that come from far away, and for balls that nearly touch; others are left open.
+// For movers that come from far away, and for balls that nearly touch; others are left open. Either sees to its range.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline decided_approach approach_by_place(const B& a, const B& b) noexcept {
     decided_approach r;
     if constexpr (has_error_free_doubles) {
-        const auto started = start_filter(a, b);
-        if (!started.in_range) {
-            return r;
-        }
-        if (is_distant(as_stored(state_of(a).radius) + as_stored(state_of(b).radius), started.length2)) {
-            r = with_fused_products(distant_movers<B>{&a, &b}, r);
-        } else if (std::fabs(started.q.c) < 0x1p-30 * started.length2) {
-            if constexpr (!is_flight<B>) {
-                r = with_fused_products(close_balls<dimension_of<B>>{&a, &b}, r);
-            }
-        }
+        with_motion_at_start(
+            a, b, [&](const auto& m, double length2, bool in_range) __attribute__((always_inline)) {
+                if (!in_range) {
+                    return;
+                }
+                if (is_distant(m.R, length2)) {
+                    r = with_fused_products(distant_movers<B>{&a, &b}, r);
+                } else if constexpr (!is_flight<B>) {
+                    if (std::fabs(coefficient_c{}(m)) < 0x1p-30 * length2) {
+                        r = with_fused_products(close_balls<dimension_of<B>>{&a, &b}, r);
+                    }
+                }
+            });
         if (!adds_to_nearest()) {
             r.what = undecided;
         }
