@@ -165,7 +165,9 @@ step_from(const motion_side_by_side<L>& m, const lane_displacement<Fused, L>& y0
     const number way = length2 * inverse;
     const number sensitivity = per_time * way;
     const number magnitude = absolute(t1);
-    const number error = settled(0x1p-99 * way + magnitude * (0x1p-48 + 8 * (per_time * magnitude)));
+    const number least = settled(0x1p-99 * way);
+    const number bend = settled(8 * per_time);
+    const number error = settled(magnitude * (0x1p-48 + bend * magnitude) + least);
     const auto in_range = hold_together(within_powers<-200, 200>(length2), within_powers<-200, 200>(speed2));
     return {t1,
             error,
