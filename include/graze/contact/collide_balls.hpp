@@ -66,13 +66,15 @@ using optional_contact = std::optional<contact_of_movers<B>>;
 template <moving B>
 using zeros_of = zero_contact<dimension_of<B>, number_in<B>>;
 
-// In unusual units scaled, then in words; c is left as it is if these don't decide.
+// In unusual units scaled, then in words. What these leave open in c has any value.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline further_contact start_further(contact_of_movers<B>& c, const B& a, const B& b,
                                                                        double mass_a, double mass_b) noexcept {
     if constexpr (std::same_as<number_in<B>, double>) {
         if (!has_usual_size(a, b)) {
-            if (const further_contact r = contact_scaled(c, a, b, mass_a, mass_b); r.what != undecided) {
+            further_contact r;
+            contact_scaled(r, c, a, b, mass_a, mass_b);
+            if (r.what != undecided) {
                 return r;
             }
         }

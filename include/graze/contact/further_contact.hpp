@@ -8,42 +8,47 @@
 
 namespace graze::inline v0_1::detail {
 
-// to[i] = from[i] 2^power for the wanted i where both are normal numbers; returns these.
+// x times 2^power, without a branch; of its components that are normal numbers it returns those that stay such.
 template <int N>
-[[nodiscard, gnu::always_inline]] inline component_set scale_back(vec<N, double>& to, const vec<N, double>& from,
-                                                                  contact_component first, component_set wanted,
+[[nodiscard, gnu::always_inline]] inline component_set scale_back(vec<N, double>& x, contact_component first,
                                                                   int power) noexcept {
-    component_set done = 0;
+    const auto shift = static_cast<std::uint64_t>(std::int64_t{power}) << 52;
+    component_set normal = 0;
     for (int i = 0; i < N; ++i) {
-        const int number = static_cast<int>(first) + i;
-        const std::uint64_t bits = bits_of(from[i]);
-        const int field = static_cast<int>(bits >> 52 & 0x7ff);
-        const bool is_normal = field != 0 && 0 < field + power && field + power < 0x7ff;
-        if (is_normal && (wanted >> number & 1U) != 0) {
-            to[i] = std::bit_cast<double>(bits + (static_cast<std::uint64_t>(std::int64_t{power}) << 52));
-            done |= component_set{1} << number;
-        }
+        const std::uint64_t bits = bits_of(x[i]);
+        const auto exponent = static_cast<int>(bits >> 52 & 0x7ff) + power;
+        normal |= component_set{static_cast<unsigned>(exponent - 1) < 0x7feU} << (static_cast<int>(first) + i);
+        x[i] = std::bit_cast<double>(bits + shift);
+    }
+    return normal;
+}
+
+// The same for a contact, from units of lengths and velocities of 2^length and 2^velocity: returns those of its certain
+// components that stay normal numbers, and the time. All were such, since their bounds include `underflow`. Nothing is
+// known of the others.
+template <int N>
+[[nodiscard]] component_set scale_back(const rounded_components<N, double>& x, int length, int velocity) noexcept {
+    contact<N, double>& c = x.c;
+    component_set done = x.certain & (1U | scale_back(c.position_a, contact_component::position_a, length) |
+                                      scale_back(c.position_b, contact_component::position_b, length) |
+                                      three_from(contact_component::normal) |
+                                      scale_back(c.velocity_a, contact_component::velocity_a, velocity) |
+                                      scale_back(c.velocity_b, contact_component::velocity_b, velocity));
+    if (has_time(done)) {
+        const auto time = rounded_quickly<double>(x.time, length - velocity);
+        c.time = *time;
+        done -= time ? 0 : 1;
     }
     return done;
 }
 
-// The same for all components, from units of lengths and velocities of 2^length and 2^velocity.
-template <int N>
-[[nodiscard]] component_set scale_back(contact<N, double>& c, const rounded_components<N, double>& x,
-                                       component_set wanted, int length, int velocity) noexcept {
-    wanted &= x.certain;
-    component_set done = scale_back(c.position_a, x.c.position_a, contact_component::position_a, wanted, length) |
-                         scale_back(c.position_b, x.c.position_b, contact_component::position_b, wanted, length) |
-                         scale_back(c.normal, x.c.normal, contact_component::normal, wanted, 0) |
-                         scale_back(c.velocity_a, x.c.velocity_a, contact_component::velocity_a, wanted, velocity) |
-                         scale_back(c.velocity_b, x.c.velocity_b, contact_component::velocity_b, wanted, velocity);
-    if (has_time(wanted)) {
-        if (const auto time = rounded_quickly<double>(x.time, length - velocity)) {
-            c.time = *time;
-            done |= 1;
-        }
+// Copies these components.
+template <int N, class T>
+[[gnu::always_inline]] inline void keep(contact<N, T>& c, contact<N, T>& found, component_set which) noexcept {
+    for (; which != 0; which &= which - 1) {
+        const int number = std::countr_zero(which);
+        component(c, number) = component(found, number);
     }
-    return done;
 }
 
 // The encounter of two movers as a number, the stage that decided it, and the components of their contact that have
@@ -59,22 +64,20 @@ template <moving B>
 [[gnu::always_inline]] inline void contact_of_scaled(further_contact& r, contact<dimension_of<B>, double>& c,
                                                      const filtered_balls& f, const scaled_movers<B>& s, double mass_a,
                                                      double mass_b) noexcept {
-    contact<dimension_of<B>, double> found = zero_contact<dimension_of<B>, double>{};
-    rounded_components<dimension_of<B>, double> taken{found};
+    rounded_components<dimension_of<B>, double> taken{c};
     const double near = root_stable{}(f.c, f.h, plain_sqrt(std::fabs(f.discriminant)));
     if (contact_by_doubles(taken, f.what(), s.a, s.b, mass_a, mass_b, near)) {
-        r.certain = scale_back(c, taken, all_components, s.length, s.velocity);
+        r.certain = scale_back(taken, s.length, s.velocity);
     }
 }
 
-// For movers in unusual units: by the filter and doubles, after scaling.
+// For movers in unusual units: by the filter and doubles, after scaling. Writes its answer where it is kept.
 template <moving B>
-[[nodiscard, gnu::noinline]] further_contact contact_scaled(contact<dimension_of<B>, double>& c, const B& a, const B& b,
-                                                            double mass_a, double mass_b) noexcept {
-    further_contact r;
+[[gnu::noinline]] void contact_scaled(further_contact& r, contact<dimension_of<B>, double>& c, const B& a, const B& b,
+                                      double mass_a, double mass_b) noexcept {
     if constexpr (has_error_free_doubles) {
         if (!rounds_to_nearest()) {
-            return r;
+            return;
         }
         const auto decide = [&](const filtered_balls& f) {
             r.what = f.certain ? static_cast<int>(f.what()) : undecided;
@@ -95,7 +98,6 @@ template <moving B>
             }
         }
     }
-    return r;
 }
 
 // The normal and velocities of two balls that overlap, by scales of their own: the radii don't matter. Writes those of
@@ -129,7 +131,9 @@ template <int N>
     }
     constexpr component_set positions =
         three_from(contact_component::position_a) | three_from(contact_component::position_b);
-    return scale_back(c, taken, wanted & ~positions & ~1U, s.length, s.velocity);
+    const component_set certain = wanted & scale_back(taken, s.length, s.velocity) & ~positions & ~1U;
+    keep(c, found, certain);
+    return certain;
 }
 
 // Takes what words bound of a hit, and doubles of an overlap.
@@ -164,10 +168,7 @@ template <int N, class T, moving B>
             r.what = w.what;
             r.certain = wanted & taken.certain;
             if (wanted != all_components) {
-                for (component_set rest = r.certain; rest != 0; rest &= rest - 1) {
-                    const int number = std::countr_zero(rest);
-                    component(c, number) = component(found, number);
-                }
+                keep(c, found, r.certain);
             }
             if (w.in_range) {
                 return r;
@@ -176,9 +177,12 @@ template <int N, class T, moving B>
         if constexpr (std::same_as<T, double>) { // floats are in range
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
                 contact<N, double> found = zero_contact<N, double>{};
-                rounded_components<N, double> taken{found};
+                rounded_components<N, double> taken{wanted == all_components ? c : found};
                 r.what = take_by_words(taken, s.a, s.b, mass_a, mass_b).what;
-                r.certain = scale_back(c, taken, wanted, s.length, s.velocity);
+                r.certain = wanted & scale_back(taken, s.length, s.velocity);
+                if (wanted != all_components) {
+                    keep(c, found, r.certain);
+                }
             }
         }
     }

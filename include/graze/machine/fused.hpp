@@ -34,15 +34,19 @@ template <class F>
 #endif
 }
 
-// The same if a further stage can take over: `otherwise` is the answer on a machine that turns out not to have the
+// The same if a further stage can take over: `otherwise` makes the answer on a machine that turns out not to have the
 // instruction. This spares every unit the code for such machines.
-template <class F, class R>
-[[nodiscard, gnu::always_inline]] inline R with_fused_products(const F& f, [[maybe_unused]] const R& otherwise) {
+template <class F, class G>
+[[nodiscard, gnu::always_inline]] inline auto with_fused_products_or(const F& f, [[maybe_unused]] const G& otherwise) {
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__)
-    return __builtin_cpu_supports("fma") ? run_fused<F>(f) : otherwise;
+    return __builtin_cpu_supports("fma") ? run_fused<F>(f) : otherwise();
 #else
     return f(std::bool_constant<has_fused_multiply_add>{});
 #endif
+}
+template <class F, class R>
+[[nodiscard, gnu::always_inline]] inline R with_fused_products(const F& f, const R& otherwise) {
+    return with_fused_products_or(f, [&] { return otherwise; });
 }
 
 } // namespace graze::inline v0_1::detail

@@ -53,7 +53,8 @@ template <class T>
 
 // x 2^scale rounded to nearest by one comparison of its ends, if x is a normal number of T and the result is no
 // subnormal one; for floats only if nothing is scaled. Positive results below 2^-1076 are rounded to 0, from 2^1024 on
-// to infinity. On the clock of a flight a time may be negative; it does not overflow then.
+// to infinity. On the clock of a flight a time may be negative; it does not overflow then. Whether a time becomes 0 is
+// no branch: it is known last, after all else that a pair needs.
 template <class T>
 [[nodiscard]] inline certain_number<T> rounded_quickly(const bounded<double>& x, int scale) noexcept {
     if (scale == 0 || std::is_same_v<T, double>) {
@@ -65,12 +66,14 @@ template <class T>
             const std::uint64_t bits = bits_of(interval.upper);
             const int unscaled = static_cast<int>(bits >> 52 & 0x7ff);
             const int exponent = unscaled + scale;
-            if (0 < exponent && exponent < 0x7ff && unscaled != 0) {
+            const bool vanishes = exponent < -53;
+            if (all_hold(unscaled != 0, exponent < 0x7ff, (exponent > 0) | (vanishes & (bits >> 63 == 0)))) [[likely]] {
                 const auto shift = static_cast<std::uint64_t>(static_cast<std::int64_t>(scale)) << 52;
-                return {static_cast<T>(std::bit_cast<double>(bits + shift)), true};
+                const std::uint64_t kept = opaque(std::uint64_t{vanishes} - 1);
+                return {static_cast<T>(std::bit_cast<double>((bits + shift) & kept)), true};
             }
-            if ((exponent < -53 || exponent >= 0x7ff) && unscaled != 0 && bits >> 63 == 0) {
-                return {exponent < 0 ? T(0) : static_cast<T>(hidden_infinity()), true};
+            if (exponent >= 0x7ff && unscaled != 0 && bits >> 63 == 0) {
+                return {static_cast<T>(hidden_infinity()), true};
             }
         }
     }

@@ -62,10 +62,14 @@ template <moving B>
         event_of_movers<B>(two_balls<dimension_of<B>>{}, a, b, event_kind::balls, 0, what == encounter::overlap));
 }
 
-// An enclosure around a time that is rounded to `nearest`, unknown beyond 2^±900. error: of an unrounded time.
+// An enclosure around a time that is rounded to `nearest`, unknown beyond 2^±900. error: of an unrounded time. Without
+// a branch, which could be taken only when all else is known.
 [[nodiscard]] inline enclosure enclosure_around(double nearest, double error = 0) noexcept {
     const double near = absolute(nearest);
-    return {nearest, within_powers<-900, 900>(near) ? 0x1p-49 * near + error : enclosure::unknown};
+    const std::uint64_t known = opaque(std::uint64_t{within_powers<-900, 900>(near)});
+    const std::uint64_t bits = bits_of(0x1p-49 * near + error);
+    const std::uint64_t unknown = bits_of(enclosure::unknown);
+    return {nearest, std::bit_cast<double>(unknown ^ ((bits ^ unknown) & (0 - known)))};
 }
 
 // The time of two movers of which this is known, with the number that it is rounded to where that is certain.
@@ -125,28 +129,40 @@ template <moving B>
     return time_of_impact_exactly(a, b);
 }
 
-// For movers in unusual units: balls are scaled first.
+// For movers in unusual units: balls are scaled first, and where they are, their time is made.
 template <moving B>
 [[nodiscard, gnu::always_inline]] constexpr inline std::optional<time_of_movers<B>>
 time_in_unusual_units(const B& a, const B& b, stage& by) {
     return time_of_impact_further(a, b, by);
 }
 template <int N>
+struct time_of_scaled_balls {
+    const ball<N, double>*a, *b;
+    stage* by;
+
+    template <bool Fused>
+    [[nodiscard, gnu::always_inline]] std::optional<impact_time<N, double>>
+    operator()(std::bool_constant<Fused> fused) const {
+        const rounded_approach found = scaled_approach<N>{a, b}(fused);
+        if (found.what == undecided) {
+            return time_of_impact_further(*a, *b, *by);
+        }
+        *by = stage::filter;
+        if (found.what == static_cast<int>(encounter::hit)) {
+            return time_within(enclosure_around(found.time), *a, *b, false, true);
+        }
+        return found.what == static_cast<int>(encounter::overlap) ? time_of_overlap(*a, *b) : std::nullopt;
+    }
+};
+template <int N>
 [[nodiscard, gnu::noinline]] inline std::optional<impact_time<N, double>>
 time_in_unusual_units(const ball<N, double>& a, const ball<N, double>& b, stage& by) {
-    rounded_approach found;
     if constexpr (has_error_free_doubles) {
-        found = with_fused_products(scaled_approach<N>{&a, &b}, found);
-    }
-    if (found.what == static_cast<int>(encounter::hit)) {
-        by = stage::filter;
-        return time_within(enclosure_around(found.time), a, b, false, true);
-    }
-    if (found.what == undecided) {
+        return with_fused_products_or(time_of_scaled_balls<N>{&a, &b, &by},
+                                      [&] { return time_of_impact_further(a, b, by); });
+    } else {
         return time_of_impact_further(a, b, by);
     }
-    by = stage::filter;
-    return found.what == static_cast<int>(encounter::overlap) ? time_of_overlap(a, b) : std::nullopt;
 }
 
 // One of these, which also tells the observer; the time is made where it is returned.
