@@ -13,7 +13,7 @@ printf 'absent-three\n' >"$work/tree/.ci/packages-report.txt"
 # Each stand-in logs how it was called. Only "here" is installed; "unknown" does not exist.
 stand_in() { printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n%s\n' "$1" "$work" "$2" >"$work/bin/$1"; }
 stand_in dpkg-query 'case $* in *here) echo installed ;; *) exit 1 ;; esac'
-stand_in apt-cache 'case $* in *unknown) exit 100 ;; esac'
+stand_in apt-cache 'echo absent-three; echo absent-too; echo absent'
 stand_in apt-get 'case $* in *--simulate) echo "Inst ${SIMULATED:-absent} (1.0)"; exit ;; install*) exit ${INSTALL_STATUS:-0} ;; esac
 exit ${APT_STATUS:-0}'
 stand_in sudo '"$@"'
