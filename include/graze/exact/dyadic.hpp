@@ -17,24 +17,36 @@ namespace graze::inline v0_1 {
 // cases without a bound on the length; where the width is known, `integer` is much faster.
 class dyadic {
   public:
-    dyadic(int x = 0) : dyadic(x, 0) {}
+    [[gnu::noinline]] dyadic(int x = 0) : dyadic(x, 0) {}
 
     // Exactly x, which must be finite.
     template <std::floating_point T>
     requires is_binary_input<T>
     explicit dyadic(const T& x) : dyadic(detail::split(x).significand, detail::split(x).exponent) {}
 
+    // Out of line, as all that a unit may need a hundred times and no run often.
+    [[gnu::noinline]] dyadic(const dyadic& x) : negative_(x.negative_), lowest_(x.lowest_), digits_(x.digits_) {}
+    dyadic(dyadic&&) noexcept = default;
+    [[gnu::noinline]] dyadic& operator=(const dyadic& x) { return *this = dyadic(x); }
+    [[gnu::noinline]] dyadic& operator=(dyadic&& x) noexcept {
+        negative_ = x.negative_;
+        lowest_ = x.lowest_;
+        digits_.swap(x.digits_);
+        return *this;
+    }
+    [[gnu::noinline]] ~dyadic() {}
+
     // -1, 0 or 1.
     [[nodiscard]] int sign() const noexcept { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
 
-    [[nodiscard]] dyadic operator-() const {
+    [[nodiscard, gnu::noinline]] dyadic operator-() const {
         dyadic result = *this;
         result.negative_ = !negative_;
         return result;
     }
     [[nodiscard]] friend dyadic operator+(const dyadic& x, const dyadic& y) { return sum(x, y, y.negative_); }
     [[nodiscard]] friend dyadic operator-(const dyadic& x, const dyadic& y) { return sum(x, y, !y.negative_); }
-    [[nodiscard]] friend dyadic operator*(const dyadic& x, const dyadic& y) {
+    [[nodiscard, gnu::noinline]] friend dyadic operator*(const dyadic& x, const dyadic& y) {
         dyadic result;
         result.digits_.resize(x.digits_.size() + y.digits_.size());
         for (std::size_t i = 0; i < x.digits_.size(); ++i) {
@@ -85,7 +97,7 @@ class dyadic {
     }
 
     // x + y, with y's sign replaced.
-    [[nodiscard]] static dyadic sum(const dyadic& x, const dyadic& y, bool y_negative) {
+    [[nodiscard, gnu::noinline]] static dyadic sum(const dyadic& x, const dyadic& y, bool y_negative) {
         if (x.digits_.empty() || y.digits_.empty()) {
             dyadic result = x.digits_.empty() ? y : x;
             result.negative_ = x.digits_.empty() ? y_negative : x.negative_;
@@ -147,6 +159,21 @@ struct number_traits<dyadic> {
     static constexpr bool is_exact = true;
     static constexpr int digits = 0;
     static int sign(const dyadic& x) noexcept { return x.sign(); }
+
+    // Products of vectors, out of line.
+    template <int N, template <int, class> class Vector>
+    [[nodiscard, gnu::noinline]] static dyadic dot(const Vector<N, dyadic>& x, const Vector<N, dyadic>& y) {
+        dyadic sum = x[0] * y[0];
+        for (int i = 1; i < N; ++i) {
+            sum = sum + x[i] * y[i];
+        }
+        return sum;
+    }
+    template <template <int, class> class Vector>
+    [[nodiscard, gnu::noinline]] static Vector<3, dyadic> cross(const Vector<3, dyadic>& x,
+                                                                const Vector<3, dyadic>& y) {
+        return {{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]}};
+    }
 };
 
 } // namespace graze::inline v0_1

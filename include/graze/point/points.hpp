@@ -7,7 +7,9 @@
 #include <graze/point/lost_sides.hpp>
 #include <graze/point/standing.hpp>
 
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace graze::inline v0_1::detail {
 
@@ -18,88 +20,97 @@ namespace graze::inline v0_1::detail {
 // may carry the point beyond a wall that it had not reached, or had just left: then its side of that wall is kept until
 // it is there, and if it heads for the other side, it is turned back. A point that slides keeps the side on which it
 // began to, of what it slides along and of what is in the same plane.
-template <mechanics M>
+template <int N, class State, class X>
 class point_among {
   public:
-    using state = typename M::state;
-    using time = typename M::time;
-    using parts = standing_parts<M>;
-    using junction_here = junction<M::dimension, typename M::exact>;
+    using state = State;
+    using parts = standing_parts<N, State, X>;
+    using junction_here = junction<N, X>;
 
-    // When the point meets b, which it has not just met.
-    [[nodiscard]] std::optional<time> meet(const M& m, const parts& standing, const state& x,
-                                           const standing_image& b) const {
-        std::optional<time> when = meet_whatever_side(m, standing, x, b);
-        const bool is_now = here_ && here_->has(b);
-        if (when && keeps_aside_ && !is_now && arrival_at(m, standing, x, *when).is_beyond_reach(b, velocity(m, x))) {
-            when.reset();
+    // When the point meets b, which it has not just met, but for what stands between them: not at all, now, or when the
+    // mechanics says.
+    enum class next : std::uint8_t { never, now, as_told };
+    [[nodiscard]] next meet(const parts& standing, const state& x, const standing_image& b) const {
+        if (here_ && here_->has(b)) {
+            return here_->next() == b ? next::now : next::never;
         }
-        return when;
+        if (const int side = kept_.of(b); side != 0 && is_beyond(standing, b, x, side)) {
+            if (const int heading = standing.heading(b, x); heading != 0) {
+                return heading * side < 0 ? next::now : next::never;
+            }
+        }
+        return next::as_told;
+    }
+    // Whether something may stand between it and b, and whether something does that it meets at that instant.
+    [[nodiscard]] bool may_be_hidden(const standing_image& b) const noexcept {
+        return keeps_aside_ && !(here_ && here_->has(b));
+    }
+    [[nodiscard]] bool is_hidden(const parts& standing, const state& x, const standing_image& b) const {
+        return arrival_at(standing, x).is_beyond_reach(b, velocity(standing, x));
     }
 
     // Which of the planes and walls that it meets at exactly this time is the first.
-    [[nodiscard]] standing_image first_at(const M& m, const parts& standing, const state& x, const time& when) const {
+    [[nodiscard]] standing_image first_at(const parts& standing, const state& x) const {
         if (here_ && here_->next().is_any()) {
             return here_->next();
         }
-        auto met = arrival_at(m, standing, x, when);
-        met.head(velocity(m, x));
+        auto met = arrival_at(standing, x);
+        met.head(velocity(standing, x));
         return met.next();
     }
 
     // It meets b at that time. alone: it meets nothing else then.
-    void bounce(const M& m, const parts& standing, state& x, const standing_image& b, const time& when, bool alone) {
+    void bounce(const parts& standing, state& x, const standing_image& b, bool alone) {
         const state before = x;
         if (here_ && here_->next() == b) {
-            standing.turn_back(m, b, x);
-            here_->meet(b, velocity(m, before), velocity(m, x));
+            standing.turn_back(b, x);
+            here_->meet(b, velocity(standing, before), velocity(standing, x));
         } else {
-            leave_junction(m, x);
-            const int heading = standing.heading(m, b, x);
+            leave_junction(standing, x);
+            const int heading = standing.heading(b, x);
             const int side = kept_.of(b);
-            if (side != 0 && heading != 0 && is_beyond(m, standing, b, x, side)) {
-                standing.turn_back(m, b, x);
-                settle_at_border(m, standing, before, x, b, side);
+            if (side != 0 && heading != 0 && is_beyond(standing, b, x, side)) {
+                standing.turn_back(b, x);
+                settle_at_border(standing, before, x, b, side);
             } else {
-                const int from = heading != 0 ? -heading : side_along(m, standing, x, b);
-                arrive(m, standing, x, b, when, alone);
-                keep_sides(m, standing, before, x, when, b);
+                const int from = heading != 0 ? -heading : side_along(standing, x, b);
+                arrive(standing, x, b, alone);
+                keep_sides(standing, before, x, b);
                 kept_.keep(b, from);
-                settle_at_border(m, standing, before, x, b, -heading);
+                settle_at_border(standing, before, x, b, -heading);
             }
         }
-        note_sliding(m, standing, x);
+        note_sliding(standing, x);
     }
 
     // It has met a ball at that time and is now x. last: what it met before. alone: it meets nothing else then.
-    void meet_ball(const M& m, const parts& standing, const state& before, const state& x, const standing_image& last,
-                   const time& when, bool alone) {
-        const bool was_there = (here_ || is_standing(standing, last)) && m.order(when, m.now(before)) == 0;
+    void meet_ball(const parts& standing, const state& before, const state& x, const standing_image& last, bool alone) {
+        const bool was_there = (here_ || is_standing(standing, last)) && standing.is_since(before);
         if (was_there) { // between two bounces
             if (!here_) {
                 typename junction_here::cone_list one;
-                one.push_back(standing.cone_at(m, last, kept_.of(last), approach::across, std::nullopt));
-                here_.emplace(std::move(one), -velocity(m, before));
+                one.push_back(standing.cone_at(last, kept_.of(last), approach::across, std::nullopt));
+                here_.emplace(std::move(one), -velocity(standing, before));
             }
             here_->leave_none();
-            here_->head(velocity(m, x));
+            here_->head(velocity(standing, x));
         } else {
-            leave_junction(m, before);
+            leave_junction(standing, before);
             if (!alone) {
-                if (auto met = arrival_at(m, standing, before, when); met.size() > 0) {
+                if (auto met = arrival_at(standing, before); met.size() > 0) {
                     here_ = std::move(met);
-                    here_->head(velocity(m, x));
+                    here_->head(velocity(standing, x));
                 }
             }
-            keep_sides(m, standing, before, x, when, {});
+            keep_sides(standing, before, x, {});
         }
-        note_sliding(m, standing, x);
+        note_sliding(standing, x);
     }
 
     // It has been given another state. on_the_way: that state is still on its way. From then on, images are counted
     // from that one.
-    void restate(const M& m, const state& x, bool on_the_way, image_index first) {
-        leave_junction(m, x);
+    void restate(const parts& standing, const state& x, bool on_the_way, image_index first) {
+        leave_junction(standing, x);
         kept_.count_from(first);
         if (!on_the_way) {
             kept_.clear();
@@ -108,102 +119,97 @@ class point_among {
     }
 
   private:
-    [[nodiscard]] static vec<M::dimension, typename M::exact> velocity(const M& m, const state& x) {
-        return parts::exactly(m, x.state.velocity);
+    [[nodiscard]] static vec<N, X> velocity(const parts& standing, const state& x) {
+        return standing.exactly(x.state.velocity);
     }
     [[nodiscard]] static bool is_standing(const parts& standing, const standing_image& b) noexcept {
         return b.is_any() && b.what >= standing.begin();
     }
 
-    // meet as if no plane or wall were between it and b.
-    [[nodiscard]] std::optional<time> meet_whatever_side(const M& m, const parts& standing, const state& x,
-                                                         const standing_image& b) const {
-        if (here_ && here_->has(b)) {
-            return here_->next() == b ? std::optional<time>(m.now(x)) : std::nullopt;
-        }
-        if (const int side = kept_.of(b); side != 0 && is_beyond(m, standing, b, x, side)) {
-            if (const int heading = standing.heading(m, b, x); heading != 0) {
-                return heading * side < 0 ? std::optional<time>(m.now(x)) : std::nullopt;
-            }
-        }
-        return standing.meet(m, b, x);
+    // When it meets b, if nothing stands between them.
+    [[nodiscard, gnu::noinline]] meeting meets(const parts& standing, const state& x, const standing_image& b) const {
+        const next when = meet(standing, x, b);
+        return when == next::as_told  ? standing.meets(b, x)
+               : when == next::never  ? meeting::never
+               : standing.is_since(x) ? meeting::then
+                                      : meeting::elsewhen;
     }
-    [[nodiscard]] junction_here arrival_at(const M& m, const parts& standing, const state& x, const time& when) const {
+    [[nodiscard, gnu::noinline]] junction_here arrival_at(const parts& standing, const state& x) const {
         return arrival(
-            m, standing, x, when, [&](const standing_image& b) { return meet_whatever_side(m, standing, x, b); },
-            [&](const standing_image& b) { return side_along(m, standing, x, b); });
+            standing, x, [&](const standing_image& b) { return meets(standing, x, b); },
+            [&](const standing_image& b) { return side_along(standing, x, b); });
     }
-    void arrive(const M& m, const parts& standing, state& x, const standing_image& b, const time& when, bool alone) {
-        const auto before = velocity(m, x);
-        auto met = alone && !slides(m, standing, x) ? std::nullopt : std::optional(arrival_at(m, standing, x, when));
-        standing.bounce(m, b, x, when);
+    void arrive(const parts& standing, state& x, const standing_image& b, bool alone) {
+        const auto before = velocity(standing, x);
+        auto met = alone && !slides(standing, x) ? std::nullopt : std::optional(arrival_at(standing, x));
+        standing.bounce(b, x);
         if (met && met->size() > 1) {
             here_ = std::move(met);
-            here_->meet(b, before, velocity(m, x));
+            here_->meet(b, before, velocity(standing, x));
         }
     }
 
     // f(b, side) for all planes and walls of which the point, now x, keeps a side.
     template <class F>
-    void for_each_side(const M& m, const state& x, F f) const {
+    void for_each_side(const parts& standing, const state& x, F f) const {
         kept_.for_each([&](const standing_image& b, int side) {
             if (!here_ || !here_->has(b)) {
                 f(b, side);
             }
         });
         if (here_) {
-            here_->leave(velocity(m, x), f);
+            here_->leave(velocity(standing, x), f);
         }
     }
     // The side of b, in whose plane x moves: its side of any plane or wall in this plane.
-    [[nodiscard]] int side_along(const M& m, const parts& standing, const state& x, const standing_image& b) const {
+    [[nodiscard]] int side_along(const parts& standing, const state& x, const standing_image& b) const {
         int result = 0;
-        for_each_side(m, x, [&](const standing_image& c, int side) {
-            result = result != 0 ? result : side * (c == b ? 1 : standing.common_sense(m, c, b));
+        for_each_side(standing, x, [&](const standing_image& c, int side) {
+            result = result != 0 ? result : side * (c == b ? 1 : standing.common_sense(c, b));
         });
         return result;
     }
-    void note_sliding(const M& m, const parts& standing, const state& x) {
+    void note_sliding(const parts& standing, const state& x) {
         keeps_aside_ = false;
-        for_each_side(
-            m, x, [&](const standing_image& b, int) { keeps_aside_ = keeps_aside_ || standing.heading(m, b, x) == 0; });
+        for_each_side(standing, x, [&](const standing_image& b, int) {
+            keeps_aside_ = keeps_aside_ || standing.heading(b, x) == 0;
+        });
     }
 
-    void settle_at_border(const M& m, const parts& standing, const state& before, const state& x,
-                          const standing_image& b, int side) {
-        if constexpr (M::rounds) {
-            if (here_ || side == 0 || standing.side(m, b, x) * side >= 0) {
+    void settle_at_border(const parts& standing, const state& before, const state& x, const standing_image& b,
+                          int side) {
+        if (standing.rounds()) {
+            if (here_ || side == 0 || standing.side(b, x) * side >= 0) {
                 return;
             }
-            here_ = arrival_at_border(m, standing, before, x, b,
-                                      [&](const standing_image& c) { return side_along(m, standing, before, c); });
+            here_ = arrival_at_border(standing, before, x, b,
+                                      [&](const standing_image& c) { return side_along(standing, before, c); });
             if (here_) {
-                here_->meet(b, velocity(m, before), velocity(m, x));
+                here_->meet(b, velocity(standing, before), velocity(standing, x));
             }
         }
     }
-    void leave_junction(const M& m, const state& x) {
+    void leave_junction(const parts& standing, const state& x) {
         if (here_) {
-            here_->leave(velocity(m, x), [&](const standing_image& b, int side) { kept_.keep(b, side); });
+            here_->leave(velocity(standing, x), [&](const standing_image& b, int side) { kept_.keep(b, side); });
             here_.reset();
         }
     }
 
     // For a point that was at `before` and has become x at that time: keeps the sides from which the rounding of its
     // position has carried it, and those on which it goes on sliding; forgets those on which it is.
-    void keep_sides(const M& m, const parts& standing, const state& before, const state& x, const time& when,
-                    const standing_image& met) {
+    void keep_sides(const parts& standing, const state& before, const state& x, const standing_image& met) {
         const auto is_elsewhere = [&](const standing_image& b) { return b != met && !(here_ && here_->has(b)); };
-        if constexpr (M::rounds) {
+        if (standing.rounds()) {
             kept_sides kept;
-            standing.for_each_near(m, standing.around(m, x), [&](const standing_image& b) {
+            for (const standing_image& b : standing.near(standing.around(x))) {
                 const int side = kept_.of(b);
-                kept.keep(b, is_elsewhere(b) ? side_lost(m, standing, before, x, when, met, b, side) : side);
-            });
+                kept.keep(b, is_elsewhere(b) ? side_lost(standing, before, x, met, b, side) : side);
+            }
             kept_ = std::move(kept);
         } else {
             kept_.keep_if([&](const standing_image& b, int side) {
-                return !is_elsewhere(b) || side_lost(m, standing, before, x, when, met, b, side) != 0;
+                return !is_elsewhere(b) || side_lost(standing, before, x, met, b, side) != 0;
             });
         }
     }

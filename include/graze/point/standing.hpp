@@ -3,38 +3,34 @@
 
 #include <graze/formula/flat_way.hpp>
 #include <graze/point/shift.hpp>
-#include <graze/point/standing_images.hpp>
-#include <graze/scene/records.hpp>
+#include <graze/point/standing_questions.hpp>
 
 #include <algorithm>
 #include <optional>
 
 namespace graze::inline v0_1::detail {
 
-template <mechanics M>
-class standing_parts : public standing_images<M> {
+template <int N, class State, class X>
+class standing_parts : public standing_questions<N, State, X> {
   public:
-    static constexpr int dimension = M::dimension;
-    using number = typename M::number;
-    using exact = typename M::exact;
-    using state = typename M::state;
-    using shapes = standing_shapes<M>;
-    using standing_images<M>::standing_images;
-    using exact_shape = typename standing_images<M>::exact_shape;
-    using standing_images<M>::exactly;
+    using exact = X;
+    using state = State;
+    using standing_questions<N, State, X>::standing_questions;
+    using standing_questions<N, State, X>::exactly;
+    using typename standing_questions<N, State, X>::shape;
 
     // A place, over a positive number.
     struct place {
-        vec<dimension, exact> sum;
+        vec<N, exact> sum;
         exact over;
     };
     // Where the straight way through x along the velocity of u crosses the plane of b; x, if it never does.
-    [[nodiscard]] place crossing(const M& m, const standing_image& b, const state& x, const state& u) const {
-        return crossing(m, b, place{shapes::exactly(m, x.state.position), exact(1)}, u);
+    [[nodiscard]] place crossing(const standing_image& b, const state& x, const state& u) const {
+        return crossing(b, place{exactly(x.state.position), exact(1)}, u);
     }
-    [[nodiscard]] place crossing(const M& m, const standing_image& b, const place& x, const state& u) const {
-        const auto velocity = shapes::exactly(m, u.state.velocity);
-        const exact_shape s = exactly(m, b);
+    [[nodiscard]] place crossing(const standing_image& b, const place& x, const state& u) const {
+        const auto velocity = exactly(u.state.velocity);
+        const shape s = exactly(b);
         const exact speed = graze::dot(velocity, s.normal);
         const exact height = graze::dot(x.sum - x.over * s.point, s.normal);
         const int sign = graze::sign(speed);
@@ -43,18 +39,14 @@ class standing_parts : public standing_images<M> {
                           : place{speed * x.sum - height * velocity, speed * x.over};
     }
     // Whether b, its borders included, contains a place in its plane, or the foot of a place beside its plane.
-    [[nodiscard]] bool is_at(const M& m, const standing_image& b, const place& x) const {
-        return least_inside(exactly(m, b), x) >= 0;
+    [[nodiscard]] bool is_at(const standing_image& b, const place& x) const { return least_inside(exactly(b), x) >= 0; }
+    [[nodiscard]] bool is_inside(const standing_image& b, const place& x) const {
+        return least_inside(exactly(b), x) > 0;
     }
-    [[nodiscard]] bool is_inside(const M& m, const standing_image& b, const place& x) const {
-        return least_inside(exactly(m, b), x) > 0;
-    }
-    [[nodiscard]] bool is_in_plane(const M& m, const standing_image& b, const place& x) const {
-        return is_in_plane(exactly(m, b), x);
-    }
+    [[nodiscard]] bool is_in_plane(const standing_image& b, const place& x) const { return is_in_plane(exactly(b), x); }
     // 1 or -1 where b and c are in one plane, as their normals have one sense or not; 0 in two planes.
-    [[nodiscard]] int common_sense(const M& m, const standing_image& b, const standing_image& c) const {
-        const exact_shape s = exactly(m, b), other = exactly(m, c);
+    [[nodiscard]] int common_sense(const standing_image& b, const standing_image& c) const {
+        const shape s = exactly(b), other = exactly(c);
         return graze::sign(exact(graze::squared_norm(graze::cross(s.normal, other.normal)))) == 0 &&
                        is_in_plane(s, {other.point, exact(1)})
                    ? graze::sign(exact(graze::dot(s.normal, other.normal)))
@@ -62,8 +54,8 @@ class standing_parts : public standing_images<M> {
     }
     // The place in a wall with the nearest coordinates along each edge; beyond the third border of a triangle, that on
     // the way to the corner.
-    [[nodiscard]] place nearest(const M& m, const standing_image& b, const place& x) const {
-        const exact_shape s = exactly(m, b);
+    [[nodiscard]] place nearest(const standing_image& b, const place& x) const {
+        const shape s = exactly(b);
         if (s.is_plane) {
             return x;
         }
@@ -88,13 +80,13 @@ class standing_parts : public standing_images<M> {
         return result;
     }
     // b seen from a place x in b; without x, as from any place inside.
-    [[nodiscard]] cone<dimension, exact> cone_at(const M& m, const standing_image& b, int side, approach way,
-                                                 const std::optional<place>& x) const {
-        const exact_shape s = exactly(m, b);
-        cone<dimension, exact> result{b, side, way, s.normal, {}, 0};
+    [[nodiscard]] cone<N, exact> cone_at(const standing_image& b, int side, approach way,
+                                         const std::optional<place>& x) const {
+        const shape s = exactly(b);
+        cone<N, exact> result{b, side, way, s.normal, {}, 0};
         if (x && !s.is_plane) {
             const auto seen = seen_from(s, *x);
-            for (int k = 0; k < borders_of(dimension, s.is_triangle); ++k) {
+            for (int k = 0; k < borders_of(N, s.is_triangle); ++k) {
                 if (inside(k, s, seen) <= 0) {
                     result.inward[static_cast<std::size_t>(result.borders++)] = inward_of(s, k);
                 }
@@ -103,37 +95,39 @@ class standing_parts : public standing_images<M> {
         return result;
     }
 
-  private:
-    using seen_place = flat_place<dimension, exact>;
+  protected:
+    ~standing_parts() = default;
 
-    [[nodiscard]] static bool is_in_plane(const exact_shape& s, const place& x) {
+  private:
+    using seen_place = flat_place<N, exact>;
+
+    [[nodiscard]] static bool is_in_plane(const shape& s, const place& x) {
         return graze::sign(exact(graze::dot(x.sum - x.over * s.point, s.normal))) == 0;
     }
     // Where a place is along the sides, times n·n.
-    [[nodiscard]] static seen_place seen_from(const exact_shape& s, const place& x) {
-        return {x.over * graze::squared_norm(s.normal),
-                along_sides<dimension, exact>(x.sum - x.over * s.point, s.edges)};
+    [[nodiscard]] static seen_place seen_from(const shape& s, const place& x) {
+        return {x.over * graze::squared_norm(s.normal), along_sides<N, exact>(x.sum - x.over * s.point, s.edges)};
     }
     // On which side of border k a place is: 1 inside, 0 on it.
-    [[nodiscard]] static int inside(int k, const exact_shape& s, const seen_place& seen) {
+    [[nodiscard]] static int inside(int k, const shape& s, const seen_place& seen) {
         return graze::sign(inside_border{k, s.is_triangle}(seen));
     }
     // The least of these.
-    [[nodiscard]] static int least_inside(const exact_shape& s, const place& x) {
+    [[nodiscard]] static int least_inside(const shape& s, const place& x) {
         int least = 1;
         if (!s.is_plane) {
             const auto seen = seen_from(s, x);
-            for (int k = 0; k < borders_of(dimension, s.is_triangle); ++k) {
+            for (int k = 0; k < borders_of(N, s.is_triangle); ++k) {
                 least = std::min(least, inside(k, s, seen));
             }
         }
         return least;
     }
     // The direction in the face that leads straight away from a border.
-    [[nodiscard]] static vec<dimension, exact> inward_of(const exact_shape& s, int k) {
-        return make_vec<dimension>([&](int i) {
-            auto axis = make_vec<dimension>([&](int j) { return exact(i == j ? 1 : 0); });
-            return inwards_of_border<dimension, exact>(k, s.is_triangle, along_sides<dimension, exact>(axis, s.edges));
+    [[nodiscard]] static vec<N, exact> inward_of(const shape& s, int k) {
+        return make_vec<N>([&](int i) {
+            auto axis = make_vec<N>([&](int j) { return exact(i == j ? 1 : 0); });
+            return inwards_of_border<N, exact>(k, s.is_triangle, along_sides<N, exact>(axis, s.edges));
         });
     }
 };

@@ -1,149 +1,124 @@
-// Planes, walls and triangles as a point sees them, in a space with periods or without.
+// What a mechanics answers a point about planes, walls and triangles, in a space with periods or without.
 #pragma once
 
+#include <graze/point/standing.hpp>
 #include <graze/point/standing_shapes.hpp>
-#include <graze/scene/body.hpp>
-#include <graze/scene/box_walk.hpp>
 #include <graze/scene/images.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
 
 namespace graze::inline v0_1::detail {
 
-// All images of all shapes, from where one point is. The shapes must outlive this.
+// The questions of points as those that one mechanics answers ask them.
 template <mechanics M>
-class standing_images {
+using standing_parts_of = standing_parts<M::dimension, typename M::state, typename M::exact>;
+
+// The shapes, the space and the instant must outlive this.
+template <mechanics M>
+class standing_images final : public standing_parts_of<M> {
   public:
     static constexpr int dimension = M::dimension;
     using exact = typename M::exact;
     using state = typename M::state;
+    using time = typename M::time;
     using shapes = standing_shapes<M>;
+    using base = standing_parts_of<M>;
+    using typename base::numbers;
+    using typename base::vector;
 
-    // gone: how many periods the point has gone back.
-    standing_images(const shapes& all, const images<M>& space, image_index gone)
-        : shapes_(all), space_(space), gone_(gone) {}
+    // gone: how many periods the point has gone back. when: the instant, if one is asked about.
+    standing_images(const shapes& all, const images<M>& space, image_index gone, const time* when = nullptr)
+        : base({all.begin(), all.first_wall(), all.end()}, space.is_periodic(), gone, M::rounds), shapes_(all),
+          space_(space), when_(when) {}
 
-    [[nodiscard]] body begin() const noexcept { return shapes_.begin(); }
-    [[nodiscard]] body end() const noexcept { return shapes_.end(); }
-    // Whether b is one of several images.
-    [[nodiscard]] bool has_images(body b) const noexcept { return space_.is_periodic() && !shapes_.is_plane(b); }
-    // The image of b that is b itself, as the point flies.
-    [[nodiscard]] standing_image itself(body b) const noexcept { return {b, has_images(b) ? gone_ : image_index{}}; }
-
-    // Where something is, in doubles.
-    struct box {
-        vec<dimension, double> low, high;
-    };
-    // Where the point is at a time, and all that the roundings of that place may confuse with it.
-    [[nodiscard]] box around(const M& m, const state& x, double when) const {
-        const flight<dimension, double> f = m.about(x);
-        box b;
-        for (int i = 0; i < dimension; ++i) {
-            const double u = f.state.velocity[i], at = f.state.position[i] + u * (when - f.since);
-            const double off =
-                0x1p-40 * (std::fabs(f.state.position[i]) + std::fabs(u) * (std::fabs(when) + std::fabs(f.since)));
-            b.low.component[i] = at - off;
-            b.high.component[i] = at + off;
-        }
-        return b;
+    // When x meets b.
+    [[nodiscard]] std::optional<time> time_of(const standing_image& b, const state& x) const {
+        return ask(question::meet, b, x).when;
     }
-    [[nodiscard]] box around(const M& m, const state& x) const { return around(m, x, m.about(x).since); }
-    [[nodiscard]] box around(const M& m, const standing_image& b) const {
-        const auto extent = shapes_.extent(m, b.what);
-        const auto period = shapes::in_doubles(m, space_.period());
-        const whole_periods there = has_images(b.what) ? b.image - gone_ : image_index{};
-        const auto shift = make_vec<dimension>([&](int i) { return there[static_cast<std::size_t>(i)] * period[i]; });
-        return {extent.low + shift, extent.high + shift};
+    [[nodiscard]] int side(const standing_image& b, const state& x) const override {
+        return ask(question::side, b, x).sign;
     }
-    // f(b) for each image that may have a place in that box, in canonical order.
-    template <class F>
-    void for_each_near(const M& m, const box& near, F f) const {
-        for (body b = begin(); b < end(); ++b) {
-            if (!has_images(b)) {
-                f(standing_image{b});
-                continue;
-            }
-            const auto extent = shapes_.extent(m, b);
-            const auto period = shapes::in_doubles(m, space_.period());
-            whole_periods low{}, high{};
-            for (int i = 0; i < dimension; ++i) {
-                if (period[i] > 0) {
-                    const auto axis = static_cast<std::size_t>(i);
-                    const double off = 0x1p-40 * (period[i] + std::fabs(extent.low[i]) + std::fabs(extent.high[i]));
-                    low[axis] = whole(std::ceil((near.low[i] - off - extent.high[i]) / period[i]));
-                    high[axis] = whole(std::floor((near.high[i] + off - extent.low[i]) / period[i]));
-                }
-            }
-            for_each_in_box(low, high, [&](const whole_periods& there) {
-                f(standing_image{b, image_index(there) + gone_});
-            });
-        }
+    [[nodiscard]] int heading(const standing_image& b, const state& x) const override {
+        return ask(question::heading, b, x).sign;
     }
-
-    // Without rounding.
-    [[nodiscard]] static vec<dimension, exact> exactly(const M& m, const vec<dimension, typename M::number>& x) {
-        return shapes::exactly(m, x);
+    void turn_back(const standing_image& b, state& x) const override { ask(question::turn_back, b, x, &x); }
+    void bounce(const standing_image& b, state& x) const override { ask(question::bounce, b, x, &x); }
+    [[nodiscard]] vec<dimension, exact> exactly(const vector& x) const override {
+        return make_vec<dimension>([&](int i) { return rules().as_exact(x[i]); });
     }
-
-    // A plane, wall or triangle without rounding: a place in it, its edges, if any, and its normal.
-    struct exact_shape {
-        vec<dimension, exact> point;
-        std::array<vec<dimension, exact>, dimension - 1> edges{};
-        vec<dimension, exact> normal;
-        bool is_plane = false, is_triangle = false;
-    };
-    [[nodiscard, gnu::noinline]] exact_shape exactly(const M& m, const standing_image& b) const {
-        return with(b, [&](const auto& s) -> exact_shape {
-            if constexpr (requires { s.edge; }) {
-                const auto edges = shapes::edges_of(m, s);
-                return {exactly(m, s.corner), edges, face_normal(edges), false,
-                        detail::is_triangle<std::remove_cvref_t<decltype(s)>>};
-            } else {
-                return {exactly(m, s.point), {}, exactly(m, s.normal), true, false};
-            }
-        });
+    [[nodiscard]] meeting meets(const standing_image& b, const state& x) const override {
+        const std::optional<time> t = time_of(b, x);
+        return !t ? meeting::never : is_then(*t) ? meeting::then : meeting::elsewhen;
     }
-
-    // What the mechanics answers about a point and b; each is compiled once for all shapes.
-    [[nodiscard, gnu::noinline]] std::optional<typename M::time> meet(const M& m, const standing_image& b,
-                                                                      const state& x) const {
-        return with(b, [&](const auto& s) { return m.meet(x, s); });
-    }
-    [[nodiscard, gnu::noinline]] int side(const M& m, const standing_image& b, const state& x) const {
-        return with(b, [&](const auto& s) { return m.side(x, s); });
-    }
-    [[nodiscard, gnu::noinline]] int heading(const M& m, const standing_image& b, const state& x) const {
-        return with(b, [&](const auto& s) { return m.heading(x, s); });
-    }
-    [[nodiscard, gnu::noinline]] typename M::time reach(const M& m, const standing_image& b, const state& x) const {
-        return with(b, [&](const auto& s) { return m.reach(x, s); });
-    }
-    [[gnu::noinline]] void turn_back(const M& m, const standing_image& b, state& x) const {
-        with(b, [&](const auto& s) { m.turn_back(x, s); });
-    }
-    [[gnu::noinline]] void bounce(const M& m, const standing_image& b, state& x, const typename M::time& when) const {
-        with(b, [&](const auto& s) { m.bounce(x, s, when); });
+    [[nodiscard]] bool is_since(const state& x) const override { return is_then(rules().now(x)); }
+    [[nodiscard]] int after_reaching(const standing_image& b, const state& x) const override {
+        return rules().order(*when_, *ask(question::reach, b, x).when);
     }
 
   private:
+    enum class question : std::uint8_t { meet, reach, side, heading, turn_back, bounce };
+    struct answer {
+        int sign = 0;
+        std::optional<time> when;
+    };
+
+    [[nodiscard]] const M& rules() const noexcept { return space_.rules(); }
+    [[nodiscard]] bool is_then(const time& t) const {
+        return rules().bounds(t).lower <= latest() && rules().order(t, *when_) == 0;
+    }
+    // All in one function: each question is compiled once for a kind of shape.
+    [[gnu::noinline]] answer ask(question what, const standing_image& b, const state& x,
+                                 state* changing = nullptr) const {
+        return with(b, [&](const auto& s) -> answer {
+            switch (what) {
+            case question::meet:
+                return {0, rules().meet(x, s)};
+            case question::reach:
+                return {0, rules().reach(x, s)};
+            case question::side:
+                return {rules().side(x, s), {}};
+            case question::heading:
+                return {rules().heading(x, s), {}};
+            case question::turn_back:
+                rules().turn_back(*changing, s);
+                return {};
+            case question::bounce:
+                rules().bounce(*changing, s, *when_);
+                return {};
+            }
+            return {};
+        });
+    }
+    [[nodiscard]] numbers numbers_of(const standing_image& b) const override {
+        return with(b, [&](const auto& s) -> numbers {
+            if constexpr (requires { s.edge; }) {
+                numbers result{s.corner, {}, {}, false, is_triangle<std::remove_cvref_t<decltype(s)>>};
+                std::copy(s.edge.begin(), s.edge.end(), result.edges.begin());
+                return result;
+            } else {
+                return {s.point, {}, s.normal, true, false};
+            }
+        });
+    }
+    [[nodiscard]] flight<dimension, double> about(const state& x) const override { return rules().about(x); }
+    [[nodiscard]] standing_extent<dimension> extent(body b) const override { return shapes_.extent(rules(), b); }
+    [[nodiscard]] vec<dimension, double> period() const override {
+        return shapes::in_doubles(rules(), space_.period());
+    }
+    [[nodiscard]] double latest() const override { return rules().bounds(*when_).upper; }
+
     // f(s) for that image s of a plane, wall or triangle.
     template <class F>
     auto with(const standing_image& b, F f) const {
-        return shapes_.with(b.what, [&](const auto& s) { return space_.with_image(s, b.image - gone_, f); });
-    }
-    [[nodiscard]] static std::int32_t whole(double x) noexcept {
-        return static_cast<std::int32_t>(std::clamp(x, -0x1p30, 0x1p30));
+        return shapes_.with(b.what, [&](const auto& s) { return space_.with_image(s, b.image - this->gone(), f); });
     }
 
     const shapes& shapes_;
     const images<M>& space_;
-    image_index gone_;
+    const time* when_;
 };
 
 } // namespace graze::inline v0_1::detail

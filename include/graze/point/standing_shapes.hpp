@@ -38,7 +38,6 @@ class standing_shapes {
   public:
     static constexpr int dimension = M::dimension;
     using number = typename M::number;
-    using exact = typename M::exact;
     using state = typename M::state;
 
     // Throws std::domain_error for triangles if M does not support them.
@@ -58,6 +57,8 @@ class standing_shapes {
     [[nodiscard]] body end() const noexcept {
         return first_ + static_cast<body>(planes_.size() + walls_.size() + triangles_.size());
     }
+
+    [[nodiscard]] body first_wall() const noexcept { return first_ + static_cast<body>(planes_.size()); }
 
     // f(plane), f(wall) or f(triangle).
     template <class F>
@@ -112,18 +113,6 @@ class standing_shapes {
             result.push_back(extent(m, b));
         }
         return result;
-    }
-
-    // A velocity without rounding.
-    [[nodiscard]] static vec<dimension, exact> exactly(const M& m, const vec<dimension, number>& x) {
-        return make_vec<dimension>([&](int i) { return m.as_exact(x[i]); });
-    }
-
-    template <class W>
-    [[nodiscard]] static auto edges_of(const M& m, const W& w) {
-        std::array<vec<dimension, exact>, dimension - 1> edges;
-        std::transform(w.edge.begin(), w.edge.end(), edges.begin(), [&](const auto& e) { return exactly(m, e); });
-        return edges;
     }
 
     // Where b is, in doubles.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <graze/run/moving_scene.hpp>
+#include <graze/scene/canonical_order.hpp>
 #include <graze/scene/records.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
 #include <utility>
 
@@ -23,18 +25,53 @@ struct timed_event {
     return x.a == y.a && x.b == y.b && x.image == y.image;
 }
 
-// Sorts the candidates by bodies, which is the canonical order, and drops duplicates.
+[[nodiscard]] inline bool comes_before(const predicted& x, const predicted& y) noexcept {
+    return std::tie(x.a, x.b, x.image) < std::tie(y.a, y.b, y.image);
+}
+
+// Sorts many events by bodies.
+template <class Events>
+void put_many_in_order(Events& nearest) {
+    const auto order = sorted_indices(nearest.size(), &nearest, [](const void* events, int i, int j) {
+        const Events& all = *static_cast<const Events*>(events);
+        return comes_before(all[static_cast<std::size_t>(i)].what, all[static_cast<std::size_t>(j)].what);
+    });
+    Events sorted;
+    sorted.reserve(nearest.size());
+    for (const int i : order) {
+        sorted.push_back(nearest[static_cast<std::size_t>(i)]);
+    }
+    nearest = std::move(sorted);
+}
+
+// Sorts the candidates by bodies, which is the canonical order, and drops duplicates. Allocates only where there are
+// many.
 template <class Events>
 void put_in_order(Events& nearest) {
-    if (nearest.size() < 2) {
+    const std::size_t n = nearest.size();
+    std::size_t first = 1; // that is out of order
+    while (first < n && comes_before(nearest[first - 1].what, nearest[first].what)) {
+        ++first;
+    }
+    if (first >= n) {
         return;
     }
-    using event = typename Events::value_type;
-    std::sort(nearest.begin(), nearest.end(), [](const event& x, const event& y) {
-        return std::tie(x.what.a, x.what.b, x.what.image) < std::tie(y.what.a, y.what.b, y.what.image);
-    });
-    const auto is_same = [](const event& x, const event& y) { return is_of_same_bodies(x.what, y.what); };
-    nearest.erase(std::unique(nearest.begin(), nearest.end(), is_same), nearest.end());
+    if (n > 32) {
+        put_many_in_order(nearest);
+    } else {
+        for (std::size_t i = first; i < n; ++i) {
+            for (std::size_t j = i; j > 0 && comes_before(nearest[j].what, nearest[j - 1].what); --j) {
+                std::swap(nearest[j], nearest[j - 1]);
+            }
+        }
+    }
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i < n; ++i) {
+        if (!is_of_same_bodies(nearest[i].what, nearest[kept - 1].what)) {
+            nearest[kept++] = nearest[i];
+        }
+    }
+    nearest.erase(nearest.begin() + static_cast<std::ptrdiff_t>(kept), nearest.end());
 }
 
 // Whether the two events share a ball. A shared mirror does not count: nothing changes it.
@@ -87,10 +124,13 @@ void select_earliest_known(const moving_scene<M>& scene, const records<timed_eve
     }
     if (!certain) { // others of its time may share a ball with an event that waits, so they wait too
         const predicted& one = nearest[first].what;
-        const auto waits = [&](const timed_event<typename M::time>& d) {
-            return !is_of_same_bodies(d.what, one) && !share_a_ball(scene, d.what, one);
-        };
-        earliest.erase(std::remove_if(earliest.begin(), earliest.end(), waits), earliest.end());
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < earliest.size(); ++i) {
+            if (is_of_same_bodies(earliest[i].what, one) || share_a_ball(scene, earliest[i].what, one)) {
+                earliest[kept++] = earliest[i];
+            }
+        }
+        earliest.erase(earliest.begin() + static_cast<std::ptrdiff_t>(kept), earliest.end());
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include <graze/machine/fetch.hpp>
 #include <graze/point/points.hpp>
+#include <graze/point/standing_images.hpp>
+#include <graze/run/grazed_balls.hpp>
 #include <graze/run/image_ledger.hpp>
 #include <graze/run/numbered_balls.hpp>
 #include <graze/scene/check_scene.hpp>
@@ -91,7 +93,7 @@ class moving_scene {
         return saying_who(a, b, [&] {
             const state& x = balls_.movers[a].state;
             return b < balls()     ? images_.meet(x, balls_.movers[b].state, ledger_.periods(a, b, image))
-                   : is_watched(a) ? points_[a].meet(rules(), seen_by(a), x, {b, image})
+                   : is_watched(a) ? meet_as_point(a, {b, image})
                                    : standing_.meet(images_, x, b, ledger_.periods(a, b, image));
         });
     }
@@ -111,8 +113,7 @@ class moving_scene {
 
     // Which plane or wall a point meets first of those that it meets at exactly this time; none for a ball.
     [[nodiscard]] standing_image first_standing(body a, const time& when) const {
-        return is_watched(a) ? points_[a].first_at(rules(), seen_by(a), balls_.movers[a].state, when)
-                             : standing_image{};
+        return is_watched(a) ? points_[a].first_at(seen_by(a, &when), balls_.movers[a].state) : standing_image{};
     }
 
     // Gives a, and b if it is a ball, the state after they have met. alone: neither meets anything else at that time.
@@ -134,14 +135,8 @@ class moving_scene {
         return {m.with, m.b};
     }
 
-    // What bounce changes of a ball, to put it back.
-    struct memory {
-        mover<state> ball;
-        std::uint32_t count;
-        std::optional<point_among<M>> point;
-        std::size_t passed;
-        image_ledger::entry image;
-    };
+    using point = point_among<dimension, state, typename M::exact>;
+    using memory = ball_memory<state, point>;
     [[nodiscard]] memory remember(body a) const {
         return {balls_.movers[a], counts_[a], is_watched(a) ? std::optional(points_[a]) : std::nullopt, passed_.size(),
                 ledger_.get(a)};
@@ -151,8 +146,8 @@ class moving_scene {
         counts_[a] = m.count;
         passed_.resize(m.passed);
         ledger_.set(a, m.image);
-        if (m.point) {
-            points_[a] = std::move(*m.point);
+        if (m.among) {
+            points_[a] = std::move(*m.among);
         }
     }
 
@@ -167,7 +162,7 @@ class moving_scene {
     void restate(body a, state other) {
         const flight<dimension, double> f = rules().about(balls_.movers[a].state), g = rules().about(other);
         if (is_watched(a)) {
-            points_[a].restate(rules(), balls_.movers[a].state, is_on_the_way(f, g), ledger_.gone(a));
+            points_[a].restate(seen_by(a), balls_.movers[a].state, is_on_the_way(f, g), ledger_.gone(a));
         }
         balls_.movers[a].stopped = false;
         const bool flies_on = balls_.movers[a].immovable && is_same_flight(f, g);
@@ -191,7 +186,23 @@ class moving_scene {
     auto saying_who(body a, body b, F f) const {
         return saying(f, [&] { return named(a, b); });
     }
-    [[nodiscard]] standing_parts<M> seen_by(body a) const { return {standing_, images_, ledger_.gone(a)}; }
+    [[nodiscard]] standing_images<M> seen_by(body a, const time* when = nullptr) const {
+        return {standing_, images_, ledger_.gone(a), when};
+    }
+    [[nodiscard]] std::optional<time> meet_as_point(body a, const standing_image& b) const {
+        const point& p = points_[a];
+        const state& x = balls_.movers[a].state;
+        const standing_images<M> seen = seen_by(a);
+        const auto next = p.meet(seen, x, b);
+        std::optional<time> when;
+        if (next != point::next::never) {
+            when = next == point::next::now ? std::optional<time>(rules().now(x)) : seen.time_of(b, x);
+        }
+        if (when && p.may_be_hidden(b) && p.is_hidden(seen_by(a, &*when), x, b)) {
+            when.reset();
+        }
+        return when;
+    }
     // Whether a is a point and there are planes or walls that it may meet.
     [[nodiscard]] bool is_watched(body a) const noexcept { return !points_.empty() && balls_.movers[a].point; }
 
@@ -217,15 +228,12 @@ class moving_scene {
             bring_back(b);
             counts_[b] += y.immovable ? 0 : 1;
         } else if (is_watched(a)) {
-            points_[a].bounce(rules(), seen_by(a), x.state, {b, image}, when, alone);
+            points_[a].bounce(seen_by(a, &when), x.state, {b, image}, alone);
         } else {
             if (x.immovable) {
                 passed_.push_back({a, b, image});
             }
-            standing_.with(b, [&](const auto& s) {
-                images_.with_image(s, ledger_.periods(a, b, image),
-                                   [&](const auto& there) { rules().bounce(x.state, there, when); });
-            });
+            seen_by(a, &when).bounce({b, image}, x.state);
         }
         x.last = b;
         ledger_.meet(a, image);
@@ -237,8 +245,8 @@ class moving_scene {
     }
     void note(body a, const std::optional<state>& before, const time& when, bool alone) {
         if (before) {
-            points_[a].meet_ball(rules(), seen_by(a), *before, balls_.movers[a].state,
-                                 {balls_.movers[a].last, ledger_.last(a)}, when, alone);
+            points_[a].meet_ball(seen_by(a, &when), *before, balls_.movers[a].state,
+                                 {balls_.movers[a].last, ledger_.last(a)}, alone);
         }
     }
 
@@ -248,8 +256,8 @@ class moving_scene {
     body first_standing_;           // the number of balls, which is asked for too often to be computed
     records<std::uint32_t> counts_; // side by side, since they are read far more often than flights
     image_ledger ledger_;
-    records<passage> passed_;        // immovable balls, and the planes and walls that they have met
-    records<point_among<M>> points_; // if there are any, and planes or walls that they can meet
+    records<passage> passed_; // immovable balls, and the planes and walls that they have met
+    records<point> points_;   // if there are any, and planes or walls that they can meet
 };
 
 } // namespace graze::inline v0_1::detail

@@ -1,12 +1,14 @@
 // A run in any number type, by the formulas as they are.
 #pragma once
 
+#include <graze/exact/dyadic.hpp>
 #include <graze/formula/solve_balls.hpp>
 #include <graze/formula/solve_flat.hpp>
 #include <graze/formula/solve_plane.hpp>
 #include <graze/scene/mechanics.hpp>
 
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace graze::inline v0_1 {
@@ -21,7 +23,7 @@ struct plain_mechanics {
     using number = T;
     using state = flight<N, T>;
     using time = T;
-    using exact = T;
+    using exact = std::conditional_t<is_binary_input<T>, dyadic, T>;
     static constexpr bool rounds = !number_traits<T>::is_exact;
 
     [[nodiscard]] constexpr state start(const ball<N, T>& b) const { return {b, T(0)}; }
@@ -124,7 +126,14 @@ struct plain_mechanics {
         return true;
     }
 
-    [[nodiscard]] constexpr T as_exact(const T& x) const { return x; }
+    // Directions of doubles are compared as in exact mechanics, so that both run the same code.
+    [[nodiscard]] constexpr exact as_exact(const T& x) const {
+        if constexpr (is_binary_input<T>) {
+            return detail::is_finite_input(x) ? exact(x) : exact(0);
+        } else {
+            return x;
+        }
+    }
 
     [[nodiscard]] constexpr bool immovable(const state& a) const { return graze::sign(T(T(1) / a.state.mass)) == 0; }
     [[nodiscard]] constexpr bool is_point(const state& a) const { return graze::sign(a.state.radius) == 0; }

@@ -94,10 +94,10 @@ class run {
     detail::forecast<M> forecast_;
     detail::records<body> place_; // of a ball, by the scene's index
     detail::jam_watch jams_;
-    detail::records<detail::timed_event<time>> simultaneous_; // events of one time
-    std::size_t next_ = 0;                                    // of simultaneous_
-    detail::grazed_balls<M> grazed_;                          // at that time
-    double now_ = 0;                                          // not after any event to come
+    detail::records<detail::timed_event<time>> simultaneous_;               // events of one time
+    std::size_t next_ = 0;                                                  // of simultaneous_
+    detail::grazed_balls<typename detail::moving_scene<M>::memory> grazed_; // at that time
+    double now_ = 0;                                                        // not after any event to come
     double still_until_ = std::numeric_limits<double>::lowest();
     std::uint64_t still_ = 0; // events since time last went on for certain
 };

@@ -7,6 +7,7 @@
 #include <graze/shape/wall.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -54,22 +55,33 @@ requires requires(const W& w) { w.edge; }
     return order < 0;
 }
 
+// 0, 1, ... sorted; precedes(parts, i, j): whether i comes before j. Compiled once for all kinds of parts.
+[[nodiscard, gnu::noinline]] inline records<int> sorted_indices(std::size_t n, const void* parts,
+                                                                bool (*precedes)(const void* parts, int i, int j)) {
+    records<int> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [=](int i, int j) { return precedes(parts, i, j); });
+    return order;
+}
+
 // The indices of the parts in that order. Equal parts are ordered by their marks, if there are any; identical ones stay
 // as they come.
 template <class Part>
 [[nodiscard]] records<int> canonical_order(std::span<const Part> pieces, std::span<const std::uint8_t> marks = {}) {
-    records<int> order(pieces.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int i, int j) {
-        const Part& x = pieces[static_cast<std::size_t>(i)];
-        const Part& y = pieces[static_cast<std::size_t>(j)];
+    struct marked {
+        const Part* pieces;
+        const std::uint8_t* marks; // or nullptr
+    };
+    const marked all{pieces.data(), marks.empty() ? nullptr : marks.data()};
+    return sorted_indices(pieces.size(), &all, [](const void* parts, int i, int j) {
+        const marked& m = *static_cast<const marked*>(parts);
+        const Part &x = m.pieces[i], &y = m.pieces[j];
         if (precedes(x, y) || precedes(y, x)) {
             return precedes(x, y);
         }
-        const int mark = marks.empty() ? 0 : marks[static_cast<std::size_t>(i)] - marks[static_cast<std::size_t>(j)];
+        const int mark = m.marks == nullptr ? 0 : m.marks[i] - m.marks[j];
         return mark != 0 ? mark < 0 : i < j;
     });
-    return order;
 }
 
 } // namespace graze::inline v0_1::detail
