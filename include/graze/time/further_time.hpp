@@ -58,14 +58,15 @@ template <moving B>
         });
 }
 
-// For movers that come from far away, and for balls that nearly touch; others are left open. Either sees to its range.
+// For movers that come from far away, and for balls that nearly touch; others are left open. Either sees to its range;
+// those whose lengths are out of it are many where exponents are far apart.
 template <moving B>
 [[nodiscard, gnu::always_inline]] inline decided_approach approach_by_place(const B& a, const B& b) noexcept {
     decided_approach r;
     if constexpr (has_error_free_doubles) {
         with_motion_at_start(
             a, b, [&](const auto& m, double length2, bool in_range) __attribute__((always_inline)) {
-                if (!in_range) {
+                if (!hold_together(in_range, within_powers<-200, 200>(length2))) {
                     return;
                 }
                 if (is_distant(m.R, length2)) {
