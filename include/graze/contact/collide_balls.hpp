@@ -86,6 +86,12 @@ template <moving B>
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr optional_contact<B> collide_further(const B& a, const B& b, stage& by) {
     optional_contact<B> c(std::in_place, zeros_of<B>{});
+    if (rest_together(a, b)) {
+        check_masses_of(a, b);
+        by = stage::filter;
+        c.reset();
+        return c;
+    }
     if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
         const double mass_a = mass_in_doubles(a, b);
         const double mass_b = mass_in_doubles(b, a);

@@ -69,13 +69,19 @@ struct exact_encounter {
     }
 };
 
-// Movers of equal velocities, for instance both at rest, come no closer: no integers are needed.
+// Whether two movers have equal velocities, for instance none, and so come no closer. Those that do are checked.
+template <moving B>
+[[nodiscard, gnu::always_inline]] constexpr inline bool rest_together(const B& a, const B& b) {
+    if (is_same(state_of(a).velocity, state_of(b).velocity)) [[unlikely]] {
+        check_movers(a, b);
+        return true;
+    }
+    return false;
+}
+
+// Of movers whose velocities differ.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const B& a, const B& b) {
-    if (is_same(state_of(a).velocity, state_of(b).velocity)) {
-        check_movers(a, b);
-        return encounter::recede;
-    }
     return with_exact_balls(a, b, exact_encounter{});
 }
 
@@ -88,6 +94,9 @@ struct decided_balls {
 // Where the filter is not certain, or was not run.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr decided_balls classify_further(const B& a, const B& b) {
+    if (rest_together(a, b)) {
+        return {encounter::recede, stage::filter};
+    }
     if constexpr (std::floating_point<number_in<B>>) {
         if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
             if (const auto r = refine(a, b); r.what != undecided) {

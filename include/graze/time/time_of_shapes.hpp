@@ -51,7 +51,7 @@ template <moving B>
     return time_within(enclosure{start, 0}, a, b, true);
 }
 
-// The time of two movers, by integers.
+// The time of two movers whose velocities differ, by integers.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_impact_exactly(const B& a, const B& b) {
     const encounter what = classify_exactly(a, b);
@@ -91,6 +91,10 @@ template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_impact_further(const B& a, const B& b,
                                                                                                stage& by) {
     using T = number_in<B>;
+    if (rest_together(a, b)) {
+        by = stage::filter;
+        return std::nullopt;
+    }
     if constexpr (std::is_floating_point_v<T>) {
         if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
             if constexpr (std::is_same_v<T, double>) {
@@ -157,6 +161,10 @@ struct time_of_scaled_balls {
 template <int N>
 [[nodiscard, gnu::noinline]] inline std::optional<impact_time<N, double>>
 time_in_unusual_units(const ball<N, double>& a, const ball<N, double>& b, stage& by) {
+    if (rest_together(a, b)) {
+        by = stage::filter;
+        return std::nullopt;
+    }
     if constexpr (has_error_free_doubles) {
         return with_fused_products_or(time_of_scaled_balls<N>{&a, &b, &by},
                                       [&] { return time_of_impact_further(a, b, by); });
