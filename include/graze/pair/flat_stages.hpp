@@ -60,7 +60,7 @@ struct word_judge {
         return y.has_certain_sign() ? graze::sign(y) : y.is_zero() ? 0 : open_sign;
     }
 };
-// No sign of it is ever a certain 0.
+using refined_double = bounded_double<53, true>;
 struct refined_judge {
     static constexpr bool has_roots = false;
 
@@ -68,8 +68,9 @@ struct refined_judge {
     [[nodiscard]] int operator()(F f, const X& x) const noexcept {
         // A step loses less than 2^-1070; inputs below 2^3, a degree below 30 and fewer than 2^11 steps leave that
         // below 2^-900.
-        const int s = bounded_double<53>(f(x)).certain_sign(0x1p-900);
-        return s != 0 ? s : open_sign;
+        const refined_double y = f(x);
+        const int s = y.certain_sign(0x1p-900);
+        return s != 0 || y.is_zero() ? s : open_sign;
     }
 };
 struct exact_judge {
@@ -118,13 +119,13 @@ template <int N, class In>
 template <int N, class In>
 [[nodiscard, gnu::noinline]] flat_answer answer_by_refining(const In& in, bool is_triangle,
                                                             flat_question question) noexcept {
-    const auto m = flat_motion_in<N, bounded_double<53>>(in, is_triangle);
+    const auto m = flat_motion_in<N, refined_double>(in, is_triangle);
     const refined_judge judge;
     if (question == flat_question::clearance || judge(edges_span{}, edges_of(m)) != 1) {
         return {};
     }
     const auto way = way_of(m);
-    const flat_answer found = flat_decision<N, bounded_double<53>, refined_judge>(m, way, judge).what();
+    const flat_answer found = flat_decision<N, refined_double, refined_judge>(m, way, judge).what();
     return question == flat_question::feature && found.what == encounter::hit ? flat_answer{} : found;
 }
 
@@ -176,6 +177,14 @@ template <int N, class T>
     return found.certain ? found : answer_by_words<N>(scaled, is_triangle, question);
 }
 
+// Whether doubles with a running error tell that the edges in a row are not parallel.
+template <int N, class T>
+[[nodiscard, gnu::noinline]] bool edges_differ(const T* row) noexcept {
+    const scaled_row<ball_and_wall<N>, T> scaled(row);
+    return scaled.length.plain &&
+           refined_judge{}(edges_span{}, edges_of(flat_motion_in<N, refined_double>(scaled, false))) == 1;
+}
+
 // The answer for a row of checked numbers. If edges are parallel it is not certain.
 template <int N, class T, class Row>
 [[nodiscard, gnu::noinline]] constexpr flat_answer refine_flat(const Row& row, bool is_triangle, bool rests,
@@ -183,6 +192,11 @@ template <int N, class T, class Row>
     constexpr bool has_words = has_error_free_doubles && !is_wide_integer<T>;
     if (rests && question != flat_question::clearance) {
         by = wider(by, stage::filter);
+        if constexpr (has_words) {
+            if (!std::is_constant_evaluated() && rounds_to_nearest() && edges_differ<N, T>(row.data())) {
+                return flat_answer{true};
+            }
+        }
         return has_parallel_edges<N>(lift_row<ball_and_wall<N>>(row)) ? flat_answer{} : flat_answer{true};
     }
     if constexpr (has_words) {

@@ -27,11 +27,12 @@ template <int N, class T, class Shape>
     check(b, "ball");
     check(shape, name_of(shape));
     const auto row = packed<ball_and_wall<N>>(b, shape);
+    const bool rests = is_zero(b.velocity);
     bool filtered = false; // not const: its value would be that of a constant expression
-    if (!std::is_constant_evaluated()) {
+    if (!std::is_constant_evaluated() && !rests) {
         filtered = filtered_flat<N, T>(b, shape).in_range;
     }
-    const flat_answer found = refine_flat<N, T>(row, is_triangle<Shape>, is_zero(b.velocity), filtered, question, by);
+    const flat_answer found = refine_flat<N, T>(row, is_triangle<Shape>, rests, filtered, question, by);
     if (!found.certain) {
         tell_parallel_edges(rejecting{name_of(shape)});
     }
