@@ -39,7 +39,8 @@ drawn_points draw(std::size_t count, const point& period, double usual) {
 
 std::vector<found_image> by_looking_at_all(const drawn_points& all, const point& x, double reach) {
     std::vector<found_image> found;
-    const int along_x = all.period[0] > 0 ? 2 : 0, along_y = all.period[1] > 0 ? 2 : 0;
+    const int most = static_cast<int>(reach) + 2;
+    const int along_x = all.period[0] > 0 ? most : 0, along_y = all.period[1] > 0 ? most : 0;
     for (body b = 0; b < all.at.size(); ++b) {
         for (int i = -along_x; i <= along_x; ++i) {
             for (int k = -along_y; k <= along_y; ++k) {
@@ -101,6 +102,13 @@ TEST_CASE("cells find what looking at all points finds") {
             compare(count, {1, 0}, usual, own);
             compare(count, {1, 1}, usual, own);
         }
+    }
+}
+
+TEST_CASE("cells find all images where a reach is many periods") {
+    for (const double own : {3.0, 4.0, 11.0}) {
+        compare(80, {1, 0}, 0.05, own);
+        compare(80, {1, 1}, 0.05, own);
     }
 }
 

@@ -96,7 +96,7 @@ struct cell_level {
     // f(from, image, key) for each cell of that box, of up to most_along cells along an axis, that comes as near to x
     // as `far`: the cell with that key holds that image of its points, and x is at `from` as seen from the points.
     //
-    // `far` is at least a quarter of a cell, and by a thousandth more than points are away. Where a cell begins is
+    // `far` is at least an eighth of a cell, and by a thousandth more than points are away. Where a cell begins is
     // computed to 2^-50 of its distance from the first cell: up to 2^36 cells from there, to 2^-14 of a cell, which is
     // less than that thousandth. Farther away all cells are near.
     template <class F>

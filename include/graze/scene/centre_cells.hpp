@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace graze::inline v0_1::detail {
 
@@ -78,16 +79,25 @@ class centre_cells : public levelled_points<N> {
             }
         });
     }
+    // The same for all points with a power from `lowest` to `highest`, without cells.
+    template <class F>
+    void offer_levels(int lowest, int highest, const point& x, double own, F& f) const {
+        for (body b = 0; b < entries_.size(); ++b) {
+            if (const entry& e = entries_[b]; lowest <= e.power && e.power <= highest) {
+                offer_all(b, x, (own + e.reach) * (1 + 0x1p-30) + slack_, f);
+            }
+        }
+    }
+    // Whether there are fewer points than such cells, or too many cells for a walk.
+    [[nodiscard]] bool has_fewer_points(const typename level::box& near) const noexcept {
+        return !(near.cells() < 2 * static_cast<double>(entries_.size()) + 64);
+    }
     template <class F>
     void look(const level& l, const point& x, double own, bool everyone, F& f) const {
         const double far = 1.001 * (own + l.reach) + slack_;
         const typename level::box near = l.cells_within(x, far);
-        if (everyone || !(near.cells() < 2 * static_cast<double>(entries_.size()) + 64)) { // then the points are fewer
-            for (body b = 0; b < entries_.size(); ++b) {
-                if (entries_[b].power == l.power) {
-                    offer_all(b, x, (own + entries_[b].reach) * (1 + 0x1p-30) + slack_, f);
-                }
-            }
+        if (everyone || has_fewer_points(near)) {
+            offer_levels(l.power, l.power, x, own, f);
             return;
         }
         const double reach = own + 0x1p-30 * (own + l.reach) + slack_;
@@ -121,6 +131,10 @@ class centre_cells : public levelled_points<N> {
         const double far = 1.001 * (own + largest) + slack_;
         const double reach = own + 0x1p-30 * (own + largest) + slack_;
         const typename level::box near = l.cells_within(x, far);
+        if (has_fewer_points(near)) {
+            offer_levels(std::numeric_limits<int>::min(), l.power - 2, x, own, f);
+            return;
+        }
         l.for_each(near, x, far, period_, [&](const point& from, image_code image, std::uint64_t key) {
             l.finer.for_each(key, [&](body b) { offer(from, image, entries_[b].key, entries_[b], b, reach, f); });
         });
