@@ -11,6 +11,17 @@ namespace graze::inline v0_1 {
 
 namespace detail {
 
+// x exactly: where a mode reads subnormals as zeros, a conversion would do so, too.
+template <class T>
+[[nodiscard]] constexpr double instant_in_double(const T& x) noexcept {
+    if constexpr (std::is_same_v<T, float>) {
+        const binary b = split(x);
+        return static_cast<double>(b.significand) * power_of_two(b.exponent);
+    } else {
+        return static_cast<double>(x);
+    }
+}
+
 // An event's time, with the enclosure from its exact quadratic.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr impact_time<N, T> enclosed_exactly(event<N, T> e) {
@@ -18,7 +29,7 @@ template <int N, class T>
     if (std::is_constant_evaluated()) {
         return impact_time<N, T>(key, e.overlap && !e.timed ? enclosure{0, 0} : enclosure{}, e);
     }
-    const auto start = static_cast<double>(e.start());
+    const double start = instant_in_double(e.start());
     if (!e.overlap) {
         timed_workspace room;
         const exact_root exact = e.procedures->root(e, room);
@@ -47,7 +58,7 @@ time_within(const enclosure& bounds, const B& a, const B& b, bool overlap, bool 
 // For two movers that overlap: their start.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_overlap(const B& a, const B& b) {
-    const auto start = static_cast<double>(start_of(epochs_of(a, b)));
+    const double start = instant_in_double(start_of(epochs_of(a, b)));
     return time_within(enclosure{start, 0}, a, b, true);
 }
 
