@@ -4,6 +4,9 @@
 #include "../predicate/flight_answers.hpp"
 #include "../predicate/flight_families.hpp"
 
+#include <graze/classify.hpp>
+#include <graze/time_of_impact.hpp>
+
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -51,7 +54,35 @@ std::vector<pair> drawn() {
                      {{0x1.e3183d479fd74p+1021, 0x1.af1f130f0a556p+1021, 0}},
                      0x1.90ac46596c4cp-5},
                     0}});
+    // Instants that overflow once they are scaled, to the largest double where results are not rounded up.
+    all.push_back({{{{{0x3p-500, 0, 0}}, {{-0x1p500, 0, 0}}, 0x1p-500}, 0x1p100},
+                   {{{{0, 0, 0}}, {{0, 0, 0}}, 0x1p-500}, 0x1p101}});
+    all.push_back({{{{{0x3p-500, 0, 0}}, {{-0x1p500, 0, 0}}, 0x1p-500}, -0x1p101},
+                   {{{{0, 0, 0}}, {{0, 0, 0}}, 0x1p-500}, -0x1p100}});
+    // An epoch that a mode reads as zero, of balls with a large velocity in common.
+    all.push_back({{{{{0, 0x1p-20, 0}}, {{0x1p1001, -1, 0}}, 0x1p-24}, 0},
+                   {{{{0, 0, 0}}, {{0x1p1001, 0, 0}}, 0x1p-24}, 0x1p-1023}});
     return all;
+}
+
+// What is asked in every state must be true.
+template <class Ask>
+void check_in_every_state(Ask ask) {
+    environments::save_state();
+    for (const auto direction : {rounding::nearest, rounding::upward, rounding::downward, rounding::towards_zero}) {
+        for (const bool flush : {false, true}) {
+            if (flush && !environments::can_flush()) {
+                continue;
+            }
+            const bool set = environments::set_state(direction, flush);
+            const bool right = ask();
+            environments::restore_state();
+            CAPTURE(name_of(direction));
+            CAPTURE(flush);
+            CHECK(set);
+            CHECK(right);
+        }
+    }
 }
 
 std::vector<std::uint64_t> said_of(const std::vector<pair>& pairs) {
@@ -90,19 +121,24 @@ TEST_CASE("Flights in every rounding direction, subnormals kept or flushed") {
     const auto pairs = drawn();
     const auto expected = said_of(pairs);
     REQUIRE(expected.size() > 2 * pairs.size());
-    environments::save_state();
-    for (const auto direction : {rounding::nearest, rounding::upward, rounding::downward, rounding::towards_zero}) {
-        for (const bool flush : {false, true}) {
-            if (flush && !environments::can_flush()) {
-                continue;
-            }
-            const bool set = environments::set_state(direction, flush);
-            const auto said = said_of(pairs);
-            environments::restore_state();
-            CAPTURE(name_of(direction));
-            CAPTURE(flush);
-            CHECK(set);
-            CHECK(said == expected);
-        }
-    }
+    check_in_every_state([&] { return said_of(pairs) == expected; });
+}
+
+TEST_CASE("Balls with a large part in common, of which a mode takes the rest") {
+    const graze::ball<3> a{{{0x1.4p-1022, 0x1p-876, 0}}, {{-1, 0, 0}}, 0x1p-1023};
+    const graze::ball<3> b{{{0, 0x1p-876, 0}}, {{0, 0, 0}}, 0x1p-1022};
+    const graze::ball<3> c{{{3, 0, 3}}, {{-0x1p-1022, 0x1p-876, -0x0.fp-1022}}, 1};
+    const graze::ball<3> d{{{0, 0, 0}}, {{0, 0x1p-876, 0}}, 1};
+    check_in_every_state([&] {
+        return graze::classify(a, b) == graze::encounter::overlap && graze::classify(c, d) == graze::encounter::hit;
+    });
+}
+
+TEST_CASE("The time of floats that overlap at a start that a mode reads as zero") {
+    const graze::flight<2, float> a{{{{1, 0}}, {{-1, 0}}, 1}, 0x1p-140F};
+    const graze::flight<2, float> b{{{{0, 0}}, {{0, 0}}, 1}, 0};
+    check_in_every_state([&] {
+        const auto time = graze::time_of_impact(a, b);
+        return time && *time == 0x1p-140F && *time > 0.0F;
+    });
 }

@@ -94,7 +94,7 @@ struct scaled_motion {
 };
 
 // One power of two multiplies all lengths and one all velocities, chosen from the largest; their quotient multiplies
-// instants. Parts below 2^-1074 of the largest are lost. Not known if one is infinite.
+// instants. Parts below 2^-1074 of the largest are lost. Not known if one is infinite or an instant would be too large.
 template <class B>
 [[nodiscard, gnu::always_inline]] inline scaled_movers<B> scaled(const B& a, const B& b) noexcept {
     scaled_movers<B> r;
@@ -122,6 +122,10 @@ template <class B>
         const double later = power_of_two(up - faster);
         r.a.since = as_stored(as_stored(a.since) * later);
         r.b.since = as_stored(as_stored(b.since) * later);
+        // Instants that overflow, also to the largest double, are no longer apart.
+        if (!(std::max(std::fabs(r.a.since), std::fabs(r.b.since)) < 0x1p1000)) {
+            return r;
+        }
         r.safe = !is_subnormal(a.since) && !is_subnormal(b.since); // `later` may make it as large as a length
     } else {
         put(r.a, a);

@@ -61,8 +61,10 @@ template <class In, moving B, class F>
     auto size = size_of(m);
     bool in_range = true;
     if constexpr (is_flight<B>) {
-        const auto lead = In::difference(as_stored(b.since), as_stored(a.since));
-        if (const double leading = leading_double(lead); leading != 0) {
+        // A mode may read or write a lead as 0: it is out of range then.
+        if (bits_of(a.since) != bits_of(b.since) && !(is_zero(a.since) && is_zero(b.since))) {
+            const auto lead = In::difference(as_stored(b.since), as_stored(a.since));
+            const double leading = leading_double(lead);
             const auto& u = leading > 0 ? x.velocity : y.velocity;
             const auto moving_at = make_vec<N>([&](int i) { return In::given(as_stored(u[i])); });
             m = with_lead(m, moving_at, lead);
@@ -167,8 +169,10 @@ template <moving B>
     if (!s.known) {
         return {};
     }
-    const bool safe = s.safe || keeps_subnormals();
-    if (const auto filtered = start_filter(s.a, s.b).finish(); all_hold(filtered.certain, safe)) [[likely]] {
+    const auto started = start_filter(s.a, s.b);
+    // What a mode takes is small beside the largest numbers. Their differences may be small as well.
+    const bool safe = (s.safe && std::min(started.q.a, started.length2) > 0x1p-40) || keeps_subnormals();
+    if (const auto filtered = started.finish(); all_hold(filtered.certain, safe)) [[likely]] {
         return {static_cast<int>(filtered.what()), stage::filter};
     }
     refined_encounter r;
