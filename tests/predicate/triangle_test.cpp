@@ -140,6 +140,27 @@ TEST_CASE("A ball that rolls over the seam of two triangles grazes it; one that 
     CHECK(std::fabs(change / (2 * std::sqrt(2 * inside)) - 1) < inside);
 }
 
+// The ball that slides along them meets the border where it comes in, though only integers tell where it leaves.
+TEST_CASE("A graze of a thin triangle names the feature that is met first") {
+    const auto met = [](const ball& b, const triangle& t) {
+        const auto [what, where, index] = graze::classify_feature(b, t);
+        CHECK(what == encounter::graze);
+        return std::pair(where, index);
+    };
+    const ball slow{
+        {{-0x1.621953a2eb17p-7, 0x1.5436b87382fa6p-27, 0}}, {{0x1.02c431f01b37p+0, 0x1.40e1f0f09e048p-25, 0}}, 0};
+    const triangle thin{{{0, 0, 0}},
+                        {{{{0x1.fffffe615c3c7p-1, 0x1.cce265fc184a6p-25, 0}}, {{1, -0x1.586f795f284f5p-30, 0}}}}};
+    CHECK(met(slow, thin) == std::pair(feature::edge, 2));
+    const ball other{
+        {{0x1.c828d8c7af05p-2, -0x1.c7ef70705366dp-51, 0}}, {{0x1.1beb939c287d8p-1, 0x1.221e983321c0cp-49, 0}}, 0};
+    const triangle thinner{{{0, 0, 0}}, {{{{1, 0x1.72537a4f44421p-53, 0}}, {{1, 0x1.edcaad76e4fd4p-50, 0}}}}};
+    CHECK(met(other, thinner) == std::pair(feature::edge, 2));
+    const ball above{{{-1, 0, -1}}, {{-2, 0, 0}}, 1};
+    const triangle needle{{{-2, 0, 0}}, {{{{0x1.4p-334, 0, 0}}, {{0x1.5d36818f05c02p-1, 0, 0x1.081b9bd52d3f8p-2}}}}};
+    CHECK(met(above, needle) == std::pair(feature::corner, 1));
+}
+
 TEST_CASE("A bad triangle is named") {
     const ball b{{0, 0, 5}, {0, 0, -1}, 1};
     const double nan = std::numeric_limits<double>::quiet_NaN();

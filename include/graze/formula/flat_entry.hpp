@@ -144,8 +144,14 @@ class flat_entry : public flat_sight<N, T, Judge> {
         const int inward = judge_(touch_inward{}, x);
         const int outside =
             root_difference(judge_(touch_outside{}, x), d == 0 ? 0 : inward, judge_(touch_outside_norm{}, x));
-        if (d == 0 && judge_(way_speed{}, way_) == 0 && inward == -1) {
-            return no; // it slides along the face and leaves it here
+        if (d == 0 && (inward == -1 || inward == open_sign)) { // does it slide along the face and leave it here?
+            const int speed = judge_(way_speed{}, way_);
+            if (speed == 0 && inward == -1) {
+                return no;
+            }
+            if (speed == 0 || speed == open_sign) {
+                return perhaps;
+            }
         }
         return all_of(start, minus(end), minus(outside));
     }
@@ -156,7 +162,9 @@ class flat_entry : public flat_sight<N, T, Judge> {
         }
         const int count = N == 2 ? 1 : 2;
         verdict v = alone;
-        bool slides_off = judge_(way_speed{}, way_) == 0;
+        const int speed = judge_(way_speed{}, way_);
+        bool slides_off = speed == 0; // along the face, over no border inwards
+        bool stays_on = speed == 1 || speed == -1;
         for (int j = 0; j < count; ++j) {
             const int k = j == 0 ? first : other_border(corner, first, m_.is_triangle);
             [[maybe_unused]] const auto scope = scope_of_judge();
@@ -170,9 +178,13 @@ class flat_entry : public flat_sight<N, T, Judge> {
             v = std::min(v, all_of(minus(root_difference(judge_(nearest_from_start{}, x),
                                                          d == 0 ? 0 : judge_(direction_speed{}, x),
                                                          judge_(touch_behind_norm{}, x)))));
-            slides_off = slides_off && judge_(inward_speed{k, m_.is_triangle}, way_) < 1;
+            if (!stays_on) {
+                const int inward = judge_(inward_speed{k, m_.is_triangle}, way_);
+                slides_off = slides_off && inward < 1;
+                stays_on = inward == 1;
+            }
         }
-        return grazes && slides_off ? no : v;
+        return !grazes || stays_on ? v : slides_off ? no : std::min(v, perhaps);
     }
     // A condition > 0, and one >= 0 whose 0 is shared with no other feature.
     [[nodiscard]] static constexpr int judge_above(int sign) { return sign == 0 ? -1 : sign; }
