@@ -10,7 +10,8 @@
 #include <random>
 
 TEST_CASE("the earliest ball is one of the earliest instant, after any changes") {
-    CHECK(property::check([] {
+    int seen_ahead = 0;
+    CHECK(property::check([&seen_ahead] {
         std::mt19937_64 random(property::any<std::uint64_t>());
         const auto instants = property::one_of<std::uint64_t>(1, 20, 1U << 30); // few values make many ties
         const auto balls = property::one_of<graze::detail::body>(1, 2, 70, 400);
@@ -18,7 +19,6 @@ TEST_CASE("the earliest ball is one of the earliest instant, after any changes")
         graze::detail::event_calendar calendar(balls);
         std::map<graze::detail::body, double> expected;
         double now = 0;
-        int seen_ahead = 0;
         const auto schedule = [&](graze::detail::body a, double when) {
             calendar.schedule(a, when);
             if (when < never) {
@@ -59,7 +59,6 @@ TEST_CASE("the earliest ball is one of the earliest instant, after any changes")
                 }
             }
         }
-        PROPERTY_ASSERT(seen_ahead > 0 || balls < 70 || instants < 1000);
         while (!expected.empty()) {
             const auto first = calendar.earliest();
             PROPERTY_ASSERT(expected.count(first) == 1);
@@ -71,4 +70,5 @@ TEST_CASE("the earliest ball is one of the earliest instant, after any changes")
         }
         PROPERTY_ASSERT(calendar.earliest() == graze::detail::no_body);
     }));
+    CHECK(seen_ahead > 0);
 }
