@@ -24,7 +24,7 @@ class dyadic {
     requires is_binary_input<T>
     explicit dyadic(const T& x) : dyadic(detail::split(x).significand, detail::split(x).exponent) {}
 
-    // Out of line, as all that a unit may need a hundred times and no run often.
+    // Functions are out of line: a unit may call them in a hundred places, and no run calls them often.
     [[gnu::noinline]] dyadic(const dyadic& x) : negative_(x.negative_), lowest_(x.lowest_), digits_(x.digits_) {}
     dyadic(dyadic&&) noexcept = default;
     [[gnu::noinline]] dyadic& operator=(const dyadic& x) { return *this = dyadic(x); }
@@ -159,21 +159,6 @@ struct number_traits<dyadic> {
     static constexpr bool is_exact = true;
     static constexpr int digits = 0;
     static int sign(const dyadic& x) noexcept { return x.sign(); }
-
-    // Products of vectors, out of line.
-    template <int N, template <int, class> class Vector>
-    [[nodiscard, gnu::noinline]] static dyadic dot(const Vector<N, dyadic>& x, const Vector<N, dyadic>& y) {
-        dyadic sum = x[0] * y[0];
-        for (int i = 1; i < N; ++i) {
-            sum = sum + x[i] * y[i];
-        }
-        return sum;
-    }
-    template <template <int, class> class Vector>
-    [[nodiscard, gnu::noinline]] static Vector<3, dyadic> cross(const Vector<3, dyadic>& x,
-                                                                const Vector<3, dyadic>& y) {
-        return {{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]}};
-    }
 };
 
 } // namespace graze::inline v0_1
