@@ -8,14 +8,10 @@
 namespace graze::inline v0_1::detail {
 
 // |exact - value| <= error, but for the roundings of the error and for underflow, for which certain_sign has room: an
-// operation rounds its error at most six times, by less than 2^-49 in all, so fewer than 2^8 operations in a row miss
+// operation rounds its error at most five times, by less than 2^-49 in all, so fewer than 2^8 operations in a row miss
 // at most 2^-41 of it. A rounding is at most a part u = 2^-Bits: Bits is 53 to nearest, 52 in any direction. Contracted
 // or not; sums are settled, since a bound holds for the order of its own sums.
-//
-// KnowsZeros: for inputs without an error that are 0 or not below 2^-900, tells also what is exactly 0. A product of
-// which no factor is exactly 0 has an error of at least 2^-1000 then, and a sum has those of its terms. Sums and
-// differences of inputs alone are multiples of 2^-952, so none of them underflows, and neither does its error.
-template <int Bits, bool KnowsZeros = false>
+template <int Bits>
 class bounded_double {
   public:
     constexpr bounded_double() = default;
@@ -25,9 +21,6 @@ class bounded_double {
 
     [[nodiscard]] constexpr double value() const noexcept { return value_; }
     [[nodiscard]] constexpr double error() const noexcept { return error_; }
-
-    // Whether it is exactly 0, if that is known.
-    [[nodiscard]] constexpr bool is_zero() const noexcept { return KnowsZeros && value_ == 0 && error_ == 0; }
 
     // -1 or 1 where it is certain, 0 where not. lost: what underflow may have taken.
     [[nodiscard]] constexpr int certain_sign(double lost) const noexcept {
@@ -57,13 +50,8 @@ class bounded_double {
     [[nodiscard, gnu::always_inline]] friend constexpr bounded_double operator*(const bounded_double& x,
                                                                                 const bounded_double& y) noexcept {
         const double product = x.value_ * y.value_;
-        const double error = magnitude_of(x.value_) * y.error_ +
-                             ((magnitude_of(y.value_) + y.error_) * x.error_ + u * magnitude_of(product));
-        if constexpr (KnowsZeros) {
-            return {product, error + (x.is_zero() || y.is_zero() ? 0 : 0x1p-1000)};
-        } else {
-            return {product, error};
-        }
+        return {product, magnitude_of(x.value_) * y.error_ +
+                             ((magnitude_of(y.value_) + y.error_) * x.error_ + u * magnitude_of(product))};
     }
 
   private:
@@ -75,13 +63,13 @@ class bounded_double {
 
 } // namespace graze::inline v0_1::detail
 
-template <int Bits, bool KnowsZeros>
-struct graze::number_traits<graze::detail::bounded_double<Bits, KnowsZeros>> {
+template <int Bits>
+struct graze::number_traits<graze::detail::bounded_double<Bits>> {
     static constexpr const char* name = "bounded_double";
     static constexpr bool is_exact = false;
     static constexpr int digits = Bits;
     // For a number without an error.
-    static constexpr int sign(const detail::bounded_double<Bits, KnowsZeros>& x) noexcept {
+    static constexpr int sign(const detail::bounded_double<Bits>& x) noexcept {
         return (x.value() > 0) - (x.value() < 0);
     }
 };

@@ -7,6 +7,7 @@
 #include <graze/number/bounded_word.hpp>
 #include <graze/pair/bounded_double.hpp>
 #include <graze/pair/flat_signs.hpp>
+#include <graze/pair/known_zero.hpp>
 #include <graze/pair/pair.hpp>
 #include <graze/pair/scaled_row.hpp>
 #include <graze/pair/stage.hpp>
@@ -60,17 +61,22 @@ struct word_judge {
         return y.has_certain_sign() ? graze::sign(y) : y.is_zero() ? 0 : open_sign;
     }
 };
-using refined_double = bounded_double<53, true>;
+// No sign of it is a certain 0, but that of a speed which is known to vanish.
 struct refined_judge {
     static constexpr bool has_roots = false;
+    bool moves_along = false; // the plane
 
     template <class F, class X>
     [[nodiscard]] int operator()(F f, const X& x) const noexcept {
+        if constexpr (std::is_same_v<F, way_speed>) {
+            if (moves_along) {
+                return 0;
+            }
+        }
         // A step loses less than 2^-1070; inputs below 2^3, a degree below 30 and fewer than 2^11 steps leave that
         // below 2^-900.
-        const refined_double y = f(x);
-        const int s = y.certain_sign(0x1p-900);
-        return s != 0 || y.is_zero() ? s : open_sign;
+        const int s = bounded_double<53>(f(x)).certain_sign(0x1p-900);
+        return s != 0 ? s : open_sign;
     }
 };
 struct exact_judge {
@@ -119,13 +125,13 @@ template <int N, class In>
 template <int N, class In>
 [[nodiscard, gnu::noinline]] flat_answer answer_by_refining(const In& in, bool is_triangle,
                                                             flat_question question) noexcept {
-    const auto m = flat_motion_in<N, refined_double>(in, is_triangle);
-    const refined_judge judge;
+    const auto m = flat_motion_in<N, bounded_double<53>>(in, is_triangle);
+    const refined_judge judge{way_speed{}(way_of(flat_motion_in<N, known_zero>(in, is_triangle))).is_zero()};
     if (question == flat_question::clearance || judge(edges_span{}, edges_of(m)) != 1) {
         return {};
     }
     const auto way = way_of(m);
-    const flat_answer found = flat_decision<N, refined_double, refined_judge>(m, way, judge).what();
+    const flat_answer found = flat_decision<N, bounded_double<53>, refined_judge>(m, way, judge).what();
     return question == flat_question::feature && found.what == encounter::hit ? flat_answer{} : found;
 }
 
@@ -182,7 +188,7 @@ template <int N, class T>
 [[nodiscard, gnu::noinline]] bool edges_differ(const T* row) noexcept {
     const scaled_row<ball_and_wall<N>, T> scaled(row);
     return scaled.length.plain &&
-           refined_judge{}(edges_span{}, edges_of(flat_motion_in<N, refined_double>(scaled, false))) == 1;
+           refined_judge{}(edges_span{}, edges_of(flat_motion_in<N, bounded_double<53>>(scaled, false))) == 1;
 }
 
 // The answer for a row of checked numbers. If edges are parallel it is not certain.

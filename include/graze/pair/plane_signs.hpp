@@ -112,6 +112,15 @@ template <int N, class T>
                : flat_answer{};
 }
 
+// Whether the ball is known to come no closer and move no farther away: at rest, or along an axis that the plane is
+// parallel to.
+template <int N, class T>
+[[nodiscard]] constexpr bool moves_along(const ball<N, T>& b, const plane<N, T>& p) noexcept {
+    return plane_speed{}(plane_motion{known_zeros(b.position), known_zeros(b.velocity), known_zeros(p.normal),
+                                      known_zero(b.radius)})
+        .is_zero();
+}
+
 // Inputs are checked here, where doubles are not certain.
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr flat_answer decide_plane_slowly(const ball<N, T>& b, const plane<N, T>& p,
@@ -119,7 +128,7 @@ template <int N, class T>
     using P = ball_and_plane<N>;
     check(b, "ball");
     check(p, name_of(p));
-    if (question != flat_question::clearance && is_zero(b.velocity)) {
+    if (question != flat_question::clearance && moves_along(b, p)) {
         return {true, encounter::recede};
     }
     const auto row = packed<P>(b, p);
