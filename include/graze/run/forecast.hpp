@@ -1,11 +1,9 @@
 // The predicted events of a run's balls.
 #pragma once
 
-#include <graze/machine/fetch.hpp>
 #include <graze/run/choices.hpp>
-#include <graze/run/event_calendar.hpp>
-#include <graze/run/lookout.hpp>
 #include <graze/run/outcome.hpp>
+#include <graze/run/planned_balls.hpp>
 #include <graze/scene/records.hpp>
 
 #include <limits>
@@ -20,18 +18,17 @@ namespace graze::inline v0_1::detail {
 // A change of the scene is predicted first; if that throws, nothing here has changed. It is accepted afterwards, which
 // does not throw.
 template <mechanics M>
-class forecast : public lookout<M> {
+class forecast : public planned_balls<M> {
   public:
     static constexpr int dimension = M::dimension;
     using time = typename M::time;
 
-    using lookout<M>::lookout;
+    using planned_balls<M>::planned_balls;
 
     // Starts anew with the scene as it is; nothing will happen before `now`.
     void predict_all(double now) {
         this->look_out(now);
-        calendar_ = event_calendar(scene_.balls());
-        plans_.assign(scene_.balls(), {});
+        this->begin_to_plan();
         pending_.clear();
         for (body a = 0; a < scene_.balls(); ++a) {
             set(a, look_again(a, now));
@@ -71,9 +68,7 @@ class forecast : public lookout<M> {
         try {
             double limit = scene_.is_periodic() ? until : never;
             for (body a = calendar_.earliest(); a != no_body && calendar_.when(a) <= limit; a = calendar_.earliest()) {
-                if (calendar_.opened() != fetched_) {
-                    fetch_ahead();
-                }
+                this->fetch_ahead();
                 const plan& p = plans_[a];
                 if (p.is_to_leave()) {
                     if (scene_.is_periodic() && taken_.empty()) {
@@ -119,15 +114,19 @@ class forecast : public lookout<M> {
         plan next;
     };
 
-    using lookout<M>::never;
-    using lookout<M>::scene_;
-    using lookout<M>::surroundings_;
-    using lookout<M>::about;
-    using lookout<M>::count;
-    using lookout<M>::when;
-    using typename lookout<M>::no_image;
-    using typename lookout<M>::listed_image;
-    using lookout<M>::look;
+    using planned_balls<M>::never;
+    using planned_balls<M>::scene_;
+    using planned_balls<M>::surroundings_;
+    using planned_balls<M>::about;
+    using planned_balls<M>::count;
+    using planned_balls<M>::when;
+    using typename planned_balls<M>::no_image;
+    using typename planned_balls<M>::listed_image;
+    using planned_balls<M>::look;
+    using planned_balls<M>::calendar_;
+    using planned_balls<M>::plans_;
+    using planned_balls<M>::is_stale;
+    using planned_balls<M>::set;
 
     // Whether all balls fly alike and there are no planes or walls, so that nothing more will ever happen.
     [[nodiscard]] bool moves_as_one() const {
@@ -136,38 +135,6 @@ class forecast : public lookout<M> {
             alike = alike && order_of(scene_[a].state.state.velocity, scene_[0].state.state.velocity) == 0;
         }
         return alike;
-    }
-    void set(body a, const plan& p) noexcept {
-        plans_[a] = p;
-        calendar_.schedule(a, p.lower);
-    }
-    // Fetches from memory, in steps of one bucket each, what the events of the next buckets will read.
-    void fetch_ahead() noexcept {
-        fetched_ = calendar_.opened();
-        if (scene_.balls() <= fit_into_cache) {
-            return;
-        }
-        const auto both = [&](auto f) {
-            return [this, f](body a) {
-                f(a, plans_[a].is_to_leave());
-                if (const body b = plans_[a].b; b < scene_.balls()) {
-                    f(b, false);
-                }
-            };
-        };
-        calendar_.fetch(6);
-        calendar_.for_each_in(5, [&](body a) { detail::fetch(plans_[a]); });
-        calendar_.for_each_in(4, both([this](body a, bool) { this->fetch_ball(a); }));
-        calendar_.for_each_in(3, both([this](body a, bool) { surroundings_.fetch_list(a); }));
-        calendar_.for_each_in(2, both([this](body a, bool leaves) { this->fetch_neighbours(a, leaves); }));
-        calendar_.for_each_in(1, both([this](body a, bool leaves) {
-                                  if (leaves) {
-                                      surroundings_.fetch_lists_around(a);
-                                  }
-                              }));
-    }
-    [[nodiscard]] bool is_stale(const plan& p) const noexcept {
-        return p.b < scene_.balls() && scene_.count(p.b) != p.count_b;
     }
     [[nodiscard]] plan look_again(body a, double now) { return look(a, now, false); }
 
@@ -250,9 +217,6 @@ class forecast : public lookout<M> {
         }
     }
 
-    event_calendar calendar_;
-    std::uint64_t fetched_ = 0; // how many buckets had been opened
-    records<plan> plans_;
     records<change> pending_; // members, so that an event allocates nothing
     records<predicted> found_;
     records<timed_event<time>> nearest_;

@@ -6,9 +6,7 @@
 #include <graze/point/standing_images.hpp>
 #include <graze/run/grazed_balls.hpp>
 #include <graze/run/image_ledger.hpp>
-#include <graze/run/numbered_balls.hpp>
-#include <graze/scene/check_scene.hpp>
-#include <graze/scene/images.hpp>
+#include <graze/run/scene_parts.hpp>
 #include <graze/scene/records.hpp>
 #include <graze/scene/saying.hpp>
 
@@ -18,51 +16,34 @@
 
 namespace graze::inline v0_1::detail {
 
-// Balls, planes, walls and triangles, numbered in their canonical order, so that nothing depends on the order in which
-// the scene lists them.
+// The parts, and what they have met so far.
 template <mechanics M>
-class moving_scene {
+class moving_scene : public scene_parts<M> {
   public:
     static constexpr int dimension = M::dimension;
     using number = typename M::number;
     using state = typename M::state;
     using time = typename M::time;
+    using scene_parts<M>::rules;
+    using scene_parts<M>::is_periodic;
+    using scene_parts<M>::has_images;
+    using scene_parts<M>::balls;
+    using scene_parts<M>::bodies;
+    using scene_parts<M>::named;
 
     moving_scene(const scene<dimension, number>& s, M m)
-        : images_(std::move(m), (check(s), s.period), detail::is_periodic(s)),
-          standing_(s, static_cast<body>(s.balls.size())), balls_(s.balls, images_),
-          first_standing_(static_cast<body>(s.balls.size())), counts_(s.balls.size()),
-          ledger_(is_periodic() ? s.balls.size() : 0),
+        : scene_parts<M>(s, std::move(m)), counts_(s.balls.size()), ledger_(is_periodic() ? s.balls.size() : 0),
           points_(balls_.has_points() && bodies() > balls() ? balls() : 0) {}
 
-    [[nodiscard]] const M& rules() const noexcept { return images_.rules(); }
-    [[nodiscard]] bool is_periodic() const noexcept { return images_.is_periodic(); }
-    // Whether b has several images.
-    [[nodiscard]] bool has_images(body b) const noexcept { return b < balls() || !standing_.is_plane(b); }
-    // In doubles.
-    [[nodiscard]] vec<dimension, double> period() const {
-        return is_periodic() ? standing_.in_doubles(rules(), images_.period()) : vec<dimension, double>{};
-    }
-    [[nodiscard]] body balls() const noexcept { return first_standing_; }
-    [[nodiscard]] body bodies() const noexcept { return standing_.end(); }
-    [[nodiscard]] mover<state>& operator[](body a) noexcept { return balls_.movers[a]; }
-    [[nodiscard]] const mover<state>& operator[](body a) const noexcept { return balls_.movers[a]; }
     // The number of a ball's events; a prediction made with another count is stale. An immovable ball's count never
     // changes.
     [[nodiscard]] std::uint32_t count(body a) const noexcept { return counts_[a]; }
     // In a scene that has a period: how many periods ball a has gone back.
     [[nodiscard]] image_index gone(body a) const noexcept { return ledger_.gone(a); }
-    [[nodiscard]] int name(body a) const noexcept { return balls_.names[a]; }
-
     // Fetches a ball from memory.
     void fetch(body a) const noexcept {
         detail::fetch(balls_.movers[a]);
         detail::fetch(counts_[a]);
-    }
-
-    // By the scene's own indices. Of two balls, the one that comes first by its numbers is named first.
-    [[nodiscard]] scene_pair named(body a, body b) const noexcept {
-        return b < balls() ? scene_pair{partner::ball, name(a), name(b)} : standing_.named(name(a), b);
     }
 
     // False if the two balls have not just met, for a ball that can turn by its own record: b's may be far away in
@@ -108,9 +89,6 @@ class moving_scene {
                                                               double latest) const {
         return images_.meet_until(balls_.movers[a].state, balls_.movers[b].state, periods, latest);
     }
-    // Where planes and walls are.
-    [[nodiscard]] records<standing_extent<dimension>> extents() const { return standing_.extents(rules()); }
-
     // Which plane or wall a point meets first of those that it meets at exactly this time; none for a ball.
     [[nodiscard]] standing_image first_standing(body a, const time& when) const {
         return is_watched(a) ? points_[a].first_at(seen_by(a, &when), balls_.movers[a].state) : standing_image{};
@@ -130,11 +108,6 @@ class moving_scene {
         x.stopped = true;
         ++counts_[a];
     }
-    [[nodiscard]] participant part(body b) const noexcept {
-        const scene_pair m = named(0, b);
-        return {m.with, m.b};
-    }
-
     using point = point_among<dimension, state, typename M::exact>;
     using memory = ball_memory<state, point>;
     [[nodiscard]] memory remember(body a) const {
@@ -177,6 +150,10 @@ class moving_scene {
     }
 
   private:
+    using scene_parts<M>::images_;
+    using scene_parts<M>::standing_;
+    using scene_parts<M>::balls_;
+
     [[nodiscard]] time_bounds meet_standing(body a, body b, image_index image) const {
         const std::optional<time> when = meet(a, b, image);
         constexpr double never = std::numeric_limits<double>::max();
@@ -250,10 +227,6 @@ class moving_scene {
         }
     }
 
-    images<M> images_;
-    standing_shapes<M> standing_;
-    numbered_balls<M> balls_;
-    body first_standing_;           // the number of balls, which is asked for too often to be computed
     records<std::uint32_t> counts_; // side by side, since they are read far more often than flights
     image_ledger ledger_;
     records<passage> passed_; // immovable balls, and the planes and walls that they have met

@@ -19,7 +19,7 @@ inline constexpr std::int32_t most_periods = 100;
 [[nodiscard]] constexpr image_code coded(const whole_periods& x) noexcept {
     return coded_along(x[0], 0) + coded_along(x[1], 1) + coded_along(x[2], 2);
 }
-// Half a word's worth more along each axis leaves no carry.
+// With 512 added along each axis, no axis borrows from the next one.
 [[nodiscard]] constexpr std::int32_t decoded_along(image_code x, std::size_t axis) noexcept {
     constexpr image_code half = 512;
     return static_cast<std::int32_t>((x + half + (half << 10) + (half << 20)) >> (10 * axis) & 1023) - 512;
