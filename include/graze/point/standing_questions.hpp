@@ -44,7 +44,7 @@ class standing_questions {
 
     [[nodiscard]] body begin() const noexcept { return first_; }
     [[nodiscard]] body end() const noexcept { return end_; }
-    // Whether rounding may carry a point elsewhere. [mechanics]
+    // Whether the mechanics rounds, which may carry a point elsewhere.
     [[nodiscard]] bool rounds() const noexcept { return rounds_; }
     // Whether b is one of several images.
     [[nodiscard]] bool has_images(body b) const noexcept { return is_periodic_ && b >= first_wall_; }

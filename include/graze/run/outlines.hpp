@@ -140,7 +140,7 @@ class outlines {
 
     std::vector<outline> all_;
     vec<N, double> period_{};
-    double wider_ = 0; // is a ball, for the roundings of periods
+    double wider_ = 0; // added to each radius: what the roundings of periods may move
     bool is_periodic_ = false;
     double fastest2_ = 0; // at least the square of any of their speeds since the start
 };
