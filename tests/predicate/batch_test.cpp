@@ -5,6 +5,9 @@
 #include "../soak/more_families.hpp"
 #include "batch_pairs.hpp"
 
+#include <graze/classify.hpp>
+#include <graze/overlaps.hpp>
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,13 +21,6 @@ namespace {
 
 using graze::encounter;
 
-// The registers for which graze::compiled has code, if any.
-#if defined(__x86_64__)
-constexpr int wider = 32;
-#else
-constexpr int wider = 0;
-#endif
-
 // std::vector<bool> holds no bools.
 class bools {
   public:
@@ -36,26 +32,26 @@ class bools {
     std::size_t size_;
 };
 
-// In the registers of this unit, and in the widest ones of graze::compiled, which give the same or are absent.
+// In the widest registers of graze::compiled, and in those of this unit alone, as without graze::compiled.
 template <class A, class B>
 std::vector<encounter> classified(const A& a, const B& b, std::size_t size) {
     std::vector<encounter> what(size, encounter{-1});
     graze::batch::classify(a, b, what);
-    std::vector<encounter> wide(size, encounter{-1});
+    std::vector<encounter> alone(size, encounter{-1});
     using question = graze::detail::batch_classify;
-    graze::detail::decide_all<question, graze::detail::unit_mode, wider>(graze::detail::source_of(a),
-                                                                         graze::detail::source_of(b), wide);
-    CHECK(wide == what);
+    graze::detail::decide_all<question, graze::detail::unit_mode, 0>(graze::detail::source_of(a),
+                                                                     graze::detail::source_of(b), alone);
+    CHECK(alone == what);
     return what;
 }
 template <class A, class B>
 std::vector<int> overlapping(const A& a, const B& b, std::size_t size) {
-    bools inside(size), wide(size);
+    bools inside(size), alone(size);
     graze::batch::overlaps(a, b, inside.all());
     using question = graze::detail::batch_overlaps;
-    graze::detail::decide_all<question, graze::detail::unit_mode, wider>(graze::detail::source_of(a),
-                                                                         graze::detail::source_of(b), wide.all());
-    CHECK(std::equal(wide.all().begin(), wide.all().end(), inside.all().begin()));
+    graze::detail::decide_all<question, graze::detail::unit_mode, 0>(graze::detail::source_of(a),
+                                                                     graze::detail::source_of(b), alone.all());
+    CHECK(std::equal(alone.all().begin(), alone.all().end(), inside.all().begin()));
     return {inside.all().begin(), inside.all().end()};
 }
 

@@ -2,6 +2,9 @@
 #include "../oracle/encounter.hpp"
 #include "../predicate/batch_pairs.hpp"
 
+#include <graze/classify.hpp>
+#include <graze/time_of_impact.hpp>
+
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -15,13 +18,6 @@ namespace {
 
 using graze::rounding;
 
-// The registers for which graze::compiled has code, if any.
-#if defined(__x86_64__)
-constexpr int wider = 32;
-#else
-constexpr int wider = 0;
-#endif
-
 // Compares bits, so +0 and -0 differ.
 template <class T>
 bool same_bits(const std::vector<T>& x, const std::vector<T>& y) {
@@ -34,13 +30,14 @@ bool same_bits(const std::vector<T>& x, const std::vector<T>& y) {
     return x.size() == y.size();
 }
 
+// In the widest registers of graze::compiled, and in those of this unit alone, as without graze::compiled.
 template <class A, class B, class T>
 std::vector<T> times_of(const A& a, const B& b, rounding mode, std::vector<T> time) {
-    std::vector<T> wide = time;
+    std::vector<T> alone = time;
     graze::batch::time_of_impact(a, b, time, mode);
-    graze::detail::time_all<graze::detail::unit_mode, wider>(graze::detail::source_of(a), graze::detail::source_of(b),
-                                                             std::span(wide), mode);
-    CHECK(same_bits(time, wide));
+    graze::detail::time_all<graze::detail::unit_mode, 0>(graze::detail::source_of(a), graze::detail::source_of(b),
+                                                         std::span(alone), mode);
+    CHECK(same_bits(time, alone));
     return time;
 }
 
