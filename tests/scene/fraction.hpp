@@ -3,7 +3,7 @@
 
 #include <graze/number/traits.hpp>
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <gmpxx.h>
 
 #include <compare>
 #include <stdexcept>
@@ -11,37 +11,23 @@
 
 class fraction {
   public:
-    using value_type =
-        boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
-
     fraction(int x = 0) : value_(x) {}
-    explicit fraction(value_type x) : value_(std::move(x)) {}
+    explicit fraction(mpq_class x) : value_(std::move(x)) {}
 
-    [[nodiscard]] const value_type& value() const { return value_; }
-    explicit operator double() const { return value_.convert_to<double>(); }
-    fraction operator-() const { return fraction(value_type(-value_)); }
-    friend fraction operator+(const fraction& x, const fraction& y) {
-        return fraction(value_type(x.value_ + y.value_));
-    }
-    friend fraction operator-(const fraction& x, const fraction& y) {
-        return fraction(value_type(x.value_ - y.value_));
-    }
-    friend fraction operator*(const fraction& x, const fraction& y) {
-        return fraction(value_type(x.value_ * y.value_));
-    }
-    friend fraction operator/(const fraction& x, const fraction& y) {
-        return fraction(value_type(x.value_ / y.value_));
-    }
+    [[nodiscard]] const mpq_class& value() const { return value_; }
+    explicit operator double() const { return value_.get_d(); }
+    fraction operator-() const { return fraction(mpq_class(-value_)); }
+    friend fraction operator+(const fraction& x, const fraction& y) { return fraction(mpq_class(x.value_ + y.value_)); }
+    friend fraction operator-(const fraction& x, const fraction& y) { return fraction(mpq_class(x.value_ - y.value_)); }
+    friend fraction operator*(const fraction& x, const fraction& y) { return fraction(mpq_class(x.value_ * y.value_)); }
+    friend fraction operator/(const fraction& x, const fraction& y) { return fraction(mpq_class(x.value_ / y.value_)); }
     friend bool operator==(const fraction& x, const fraction& y) { return x.value_ == y.value_; }
     friend std::strong_ordering operator<=>(const fraction& x, const fraction& y) {
-        const int order = x.value_.compare(y.value_);
-        return order < 0   ? std::strong_ordering::less
-               : order > 0 ? std::strong_ordering::greater
-                           : std::strong_ordering::equal;
+        return cmp(x.value_, y.value_) <=> 0;
     }
 
   private:
-    value_type value_;
+    mpq_class value_;
 };
 
 template <>
@@ -52,12 +38,10 @@ struct graze::number_traits<fraction> {
     static constexpr int digits = 0;
 
     static fraction sqrt(const fraction& x) {
-        const auto top = numerator(x.value()), bottom = denominator(x.value());
-        const decltype(top) root_of_top = boost::multiprecision::sqrt(top);
-        const decltype(top) root_of_bottom = boost::multiprecision::sqrt(bottom);
-        if (root_of_top * root_of_top != top || root_of_bottom * root_of_bottom != bottom) {
+        const mpz_class &top = x.value().get_num(), &bottom = x.value().get_den();
+        if (mpz_perfect_square_p(top.get_mpz_t()) == 0 || mpz_perfect_square_p(bottom.get_mpz_t()) == 0) {
             throw std::domain_error("not the square of a fraction");
         }
-        return fraction(fraction::value_type(root_of_top, root_of_bottom));
+        return fraction(mpq_class(::sqrt(top), ::sqrt(bottom)));
     }
 };

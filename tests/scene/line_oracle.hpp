@@ -4,7 +4,7 @@
 
 #include <graze/scene/scene_pair.hpp>
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <gmpxx.h>
 
 #include <algorithm>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace line_oracle {
 
-using rational = boost::multiprecision::cpp_rational;
+using rational = mpq_class;
 
 // A ball on the track y = track, which runs along x.
 struct bead {

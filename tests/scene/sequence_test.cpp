@@ -26,10 +26,7 @@ std::vector<told_event> events_of(const std::vector<bead>& beads, std::size_t co
                                   graze::cells cells = graze::cells::where_useful) {
     std::vector<graze::ball<2>> balls;
     for (const bead& b : beads) {
-        balls.push_back({{{static_cast<double>(b.x), static_cast<double>(b.track) * 16}},
-                         {{static_cast<double>(b.v), 0}},
-                         static_cast<double>(b.radius),
-                         static_cast<double>(b.mass)});
+        balls.push_back({{{b.x.get_d(), b.track * 16.0}}, {{b.v.get_d(), 0}}, b.radius.get_d(), b.mass.get_d()});
     }
     const std::vector<graze::plane<2>> planes = {{{{0, 0}}, {{1, 0}}}, {{{length_of_tracks, 0}}, {{1, 0}}}};
     std::vector<told_event> told;
