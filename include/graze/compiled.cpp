@@ -5,10 +5,10 @@
 
 namespace graze::inline v0_1::detail {
 
-template encounter classify_exactly(const ball<2, float>&, const ball<2, float>&);
-template encounter classify_exactly(const ball<3, float>&, const ball<3, float>&);
-template encounter classify_exactly(const ball<2, double>&, const ball<2, double>&);
-template encounter classify_exactly(const ball<3, double>&, const ball<3, double>&);
+template encounter classify_exactly(const ball<2, float>&, const ball<2, float>&, const open_number&);
+template encounter classify_exactly(const ball<3, float>&, const ball<3, float>&, const open_number&);
+template encounter classify_exactly(const ball<2, double>&, const ball<2, double>&, const open_number&);
+template encounter classify_exactly(const ball<3, double>&, const ball<3, double>&, const open_number&);
 template decided_balls classify_further(const ball<2, float>&, const ball<2, float>&);
 template decided_balls classify_further(const ball<3, float>&, const ball<3, float>&);
 template decided_balls classify_further(const ball<2, double>&, const ball<2, double>&);
@@ -47,10 +47,10 @@ template flat_collision meet_flat(const ball<3, float>&, const triangle<float>&,
 template flat_collision meet_flat(const ball<2, double>&, const wall<2, double>&, stage&);
 template flat_collision meet_flat(const ball<3, double>&, const wall<3, double>&, stage&);
 template flat_collision meet_flat(const ball<3, double>&, const triangle<double>&, stage&);
-template encounter classify_exactly(const flight<2, float>&, const flight<2, float>&);
-template encounter classify_exactly(const flight<3, float>&, const flight<3, float>&);
-template encounter classify_exactly(const flight<2, double>&, const flight<2, double>&);
-template encounter classify_exactly(const flight<3, double>&, const flight<3, double>&);
+template encounter classify_exactly(const flight<2, float>&, const flight<2, float>&, const open_number&);
+template encounter classify_exactly(const flight<3, float>&, const flight<3, float>&, const open_number&);
+template encounter classify_exactly(const flight<2, double>&, const flight<2, double>&, const open_number&);
+template encounter classify_exactly(const flight<3, double>&, const flight<3, double>&, const open_number&);
 
 template int compare_exactly(const event<2, float>&, const event<2, float>&);
 template int compare_exactly(const event<3, float>&, const event<3, float>&);

@@ -23,9 +23,8 @@ using cpp_rational =
     boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
 void compare_exact(const std::string& group, const pairs& p) {
-    compare(group, "graze's exact tier", p.size(), [&p](std::size_t i) {
-        return graze::detail::with_exact_balls(p.a[i], p.b[i], graze::detail::exact_encounter{});
-    });
+    compare(group, "graze's exact tier", p.size(),
+            [&p](std::size_t i) { return graze::detail::classify_exactly(p.a[i], p.b[i], {}); });
     compare_type<graze::gmp_rational>(group, "GMP mpq_class", p);
     compare_type<cpp_rational>(group, "Boost cpp_rational", p);
 }

@@ -118,7 +118,7 @@ template <moving B>
         }
     }
     by = stage::exact;
-    const encounter what = classify_exactly(a, b);
+    const encounter what = classify_exactly(a, b, open_number{});
     check_masses_of(a, b);
     if (is_collision(what)) {
         complete_all(*c, what, a, b);

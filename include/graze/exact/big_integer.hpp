@@ -115,31 +115,30 @@ class big_integer {
 
     // Σ ± x y, the terms added up where they stand.
     [[nodiscard, gnu::noinline]] static constexpr big_integer sum_of_products(const term* terms, int count) noexcept {
-        const auto each = [&](auto f) { // a zero has no place
-            for (int k = 0; k < count; ++k) {
-                if (terms[k].x->count_ != 0 && terms[k].y->count_ != 0) {
-                    f(*terms[k].x, *terms[k].y, terms[k].subtracted);
-                }
-            }
-        };
         int low = 0x7fff;
         int end = 0;
+        int total = 0; // of constants
         workspace* room = nullptr;
-        each([&](const big_integer& x, const big_integer& y, bool) {
+        for (int k = 0; k < count; ++k) {
+            const big_integer& x = *terms[k].x;
+            const big_integer& y = *terms[k].y;
+            if (x.count_ == 0 || y.count_ == 0) { // a zero has no place
+                continue;
+            }
             const int start = x.low_ + y.low_;
             const int top = start + x.count_ + y.count_;
             low = start < low ? start : low;
             end = top > end ? top : end;
-            room = room != nullptr ? room : x.room_ != nullptr ? x.room_ : y.room_;
-        });
+            if (workspace* const here = x.room_ != nullptr ? x.room_ : y.room_; here != nullptr) {
+                room = here;
+            } else {
+                total += (terms[k].subtracted ? -1 : 1) * x.small_value() * y.small_value();
+            }
+        }
         if (end == 0) {
             return {};
         }
         if (room == nullptr) {
-            int total = 0;
-            each([&](const big_integer& x, const big_integer& y, bool subtracted) {
-                total += (subtracted ? -1 : 1) * x.small_value() * y.small_value();
-            });
             return constant(total);
         }
         const int size = end - low + 1;
@@ -147,10 +146,14 @@ class big_integer {
         for (int i = 0; i < size; ++i) {
             sum[i] = 0;
         }
-        each([&](const big_integer& x, const big_integer& y, bool subtracted) {
-            const bool minus = (x.negative_ != y.negative_) != subtracted;
-            add_product(sum + (x.low_ + y.low_ - low), x.row(), y.row(), minus);
-        });
+        for (int k = 0; k < count; ++k) {
+            const big_integer& x = *terms[k].x;
+            const big_integer& y = *terms[k].y;
+            if (x.count_ != 0 && y.count_ != 0) {
+                const bool minus = (x.negative_ != y.negative_) != terms[k].subtracted;
+                add_product(sum + (x.low_ + y.low_ - low), x.row(), y.row(), minus);
+            }
+        }
         return big_integer(room, sum, size, low, false);
     }
 

@@ -145,6 +145,38 @@ struct lifted {
             return I::from_shifted(significand[i] >> zeros, shift);
         }
     }
+
+    // Value i plus or minus value j, likewise. Big integers of one limb are added there.
+    template <class I>
+    [[nodiscard, gnu::noinline]] constexpr auto sum(std::size_t i, std::size_t j, bool subtract) const noexcept {
+        if constexpr (std::same_as<I, big_integer>) {
+            if (width <= 61) {
+                const std::int64_t x = short_value(i);
+                const std::int64_t y = short_value(j);
+                return I::from_shifted(*room, subtract ? x - y : x + y, 0);
+            }
+            return I::sum(get<I>(i), get<I>(j), subtract);
+        } else {
+            return subtract ? get<I>(i) - get<I>(j) : get<I>(i) + get<I>(j);
+        }
+    }
+
+    // The exponent of the largest power of two of which all values are multiples; it is not below `exponent`, which is
+    // cheaper.
+    [[nodiscard]] constexpr int unit() const noexcept {
+        int least = width != 0 ? exponent + width : exponent;
+        for (std::size_t i = 0; i < K; ++i) {
+            if (const binary x = odd(significand[i], power[i]); x.significand != 0 && x.exponent < least) {
+                least = x.exponent;
+            }
+        }
+        return least;
+    }
+
+  private:
+    [[nodiscard]] constexpr std::int64_t short_value(std::size_t i) const noexcept {
+        return significand[i] != 0 ? (significand[i] >> zeros) * (std::int64_t{1} << (power[i] - lowest)) : 0;
+    }
 };
 
 // Lifts K finite numbers, from `values` on.

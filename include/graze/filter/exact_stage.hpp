@@ -22,29 +22,16 @@ struct lifted_inputs {
     constexpr void use(workspace& w) noexcept { length.room = velocity.room = normal.room = &w; }
 };
 
-// Widths of the lifted inputs: one limb (a sum of three squares of differences then still has two), and the whole range
-// of doubles, from 2^-1074 to 2^1024.
-inline constexpr int one_limb_width = 61;
+// The width of lifted inputs with the whole range of doubles, from 2^-1074 to 2^1024.
 inline constexpr int full_width = 2098;
 
 // Where big integers of formulas of doubles have their digits: room for all terms of a formula with inputs of full
 // width.
 using exact_workspace = workspace_of<16384>;
 
-template <class Pair>
-inline constexpr bool narrow_pays = requires {
-    Pair::narrow_pays;
-};
-
-// f(motion) with Pair's motion in integers that hold the inputs: of one limb, where such inputs are common and speed
-// matters, else of any size. f returns the same type for both.
+// f(motion) with Pair's motion in integers that hold the inputs.
 template <class Pair, class Inputs, class F>
 [[nodiscard]] constexpr auto with_exact_motion(const Inputs& in, F f) {
-    if constexpr (narrow_pays<Pair>) {
-        if (in.width() <= one_limb_width) {
-            return f(Pair::template motion<integer<one_limb_width>>(in));
-        }
-    }
     exact_workspace room;
     Inputs here = in;
     here.use(room);

@@ -33,7 +33,6 @@ struct two_balls {
     static constexpr std::size_t velocities = 2 * n;
     static constexpr std::size_t normals = 0;
     static constexpr std::size_t epochs = 2;
-    static constexpr bool narrow_pays = true;
 
     template <class T>
     static constexpr void pack(T* row, const ball<N, T>& a, const ball<N, T>& b) noexcept {
@@ -47,13 +46,14 @@ struct two_balls {
 
     template <class I, class Inputs>
     [[nodiscard]] static constexpr auto motion(const Inputs& in) noexcept {
-        const auto length = [&](std::size_t i) { return in.length.template get<I>(i); };
-        const auto velocity = [&](std::size_t i) { return in.velocity.template get<I>(i); };
-        const auto vector = [](const auto& get, std::size_t from) {
-            return make_vec<N>([&](int i) { return get(from + static_cast<std::size_t>(i)); });
+        const auto difference = [](const auto& group) {
+            return make_vec<N>([&](int i) {
+                const auto of_a = static_cast<std::size_t>(i);
+                return group.template sum<I>(of_a, of_a + n, true);
+            });
         };
-        return relative_motion_of(ball<N, I>{vector(length, 0), vector(velocity, 0), length(2 * n)},
-                                  ball<N, I>{vector(length, n), vector(velocity, n), length(2 * n + 1)});
+        return relative_motion{difference(in.length), difference(in.velocity),
+                               in.length.template sum<I>(2 * n, 2 * n + 1, false)};
     }
 };
 

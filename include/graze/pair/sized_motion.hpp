@@ -7,6 +7,7 @@
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
 #include <graze/number/loose_word.hpp>
+#include <graze/pair/open_number.hpp>
 
 namespace graze::inline v0_1::detail {
 
@@ -178,6 +179,27 @@ template <class M>
 template <class M>
 [[nodiscard, gnu::always_inline]] constexpr int decided_encounter(const M& m) noexcept {
     return encounter_of_sized(m).what;
+}
+
+// More than the magnitude of an open number: that is at most twice its error, and the error's own roundings are small.
+template <class V>
+[[nodiscard]] constexpr double limit_of(const bounded_value<V>& x) noexcept {
+    return 4 * x.error;
+}
+
+// Where an encounter is undecided, the number that leaves it open: the last one computed, as an error is never 0.
+struct limited_encounter {
+    int what;
+    open_number::name left;
+    double limit;
+};
+template <class V>
+[[nodiscard, gnu::always_inline]] constexpr limited_encounter limited(const bounded_encounter<V>& r) noexcept {
+    if (r.discriminant.error != 0) {
+        return {r.what, open_number::discriminant, limit_of(r.discriminant)};
+    }
+    return r.c.error != 0 ? limited_encounter{r.what, open_number::c, limit_of(r.c)}
+                          : limited_encounter{r.what, open_number::h, limit_of(r.h)};
 }
 
 } // namespace graze::inline v0_1::detail

@@ -1,7 +1,6 @@
 // The exact encounter of two balls or two flights.
 #pragma once
 
-#include <graze/pair/exact_sign.hpp>
 #include <graze/pair/flight_pair.hpp>
 #include <graze/pair/input_check.hpp>
 #include <graze/pair/pair.hpp>
@@ -30,44 +29,36 @@ template <int N, class T>
     return in;
 }
 
-// f(motion) with the exact relative motion, at the later epoch, of two movers whose values have been checked.
-template <moving B, class F>
-[[nodiscard, gnu::noinline]] constexpr auto with_exact_balls(const B& a, const B& b, F f) {
-    check_movers(a, b);
-    if constexpr (is_flight<B>) {
-        return with_exact_flights(lift_flights(a, b), [&](const auto& pair) { return f(pair.motion()); });
-    } else {
-        using P = two_balls<dimension_of<B>>;
-        return with_exact_motion<P>(lift_row<P>(packed<P>(a, b)), f);
-    }
-}
-
-// The sign of D from exact coefficients: an estimate's where that is certain, else the exact value's.
-template <class A, class H, class C>
-[[nodiscard]] constexpr int sign_of_discriminant(const quadratic<A, H, C>& q) {
-    const estimate d = discriminant_halved{}(quadratic{estimate_of(q.a), estimate_of(q.h), estimate_of(q.c)});
-    return is_certain(d) ? (d.value < 0 ? -1 : 1) : sign(discriminant_halved{}(q));
-}
-
 // The encounter by the signs of exact numbers.
 struct exact_encounter {
     template <class M>
     [[nodiscard]] constexpr encounter operator()(const M& m) const {
-        if constexpr (requires { is_long(m); }) {
-            if (is_long(m)) {
-                return encounter_of([&] { return exact_sign(m, coefficient_h{}); },
-                                    [&] { return exact_sign(m, coefficient_c{}); },
-                                    [&] { return exact_sign(m, halved_of_motion{}, discriminant_lagrange{}); });
-            }
-        }
         const auto h = coefficient_h{}(m);
         const auto c = coefficient_c{}(m);
         return encounter_of([&] { return sign(h); }, [&] { return sign(c); },
                             [&] {
-                                return sign_of_discriminant(quadratic{coefficient_a{}(m), h, c});
+                                return sign(discriminant_halved{}(quadratic{coefficient_a{}(m), h, c}));
                             });
     }
 };
+
+// decide(motion) with the exact relative motion, at the later epoch, of two movers. A number that words leave open may
+// be seen to be 0 before that. Values are checked.
+template <moving B, class F>
+[[nodiscard]] constexpr encounter decide_exactly(const B& a, const B& b, const open_number& left, F decide) {
+    using P = two_balls<dimension_of<B>>;
+    check_movers(a, b);
+    if constexpr (is_flight<B>) {
+        const auto in = lift_flights(a, b);
+        if (left.is_zero(in.pair.length.exponent, in.pair.velocity.exponent)) {
+            return left.if_zero();
+        }
+        return with_exact_flights(in, [&](const auto& pair) { return decide(pair.motion()); });
+    } else {
+        const auto in = lift_row<P>(packed<P>(a, b));
+        return left.is_zero(in.length.unit(), in.velocity.unit()) ? left.if_zero() : with_exact_motion<P>(in, decide);
+    }
+}
 
 // Whether two movers have equal velocities, for instance none, and so come no closer. Those that do are checked.
 template <moving B>
@@ -81,8 +72,8 @@ template <moving B>
 
 // Of movers whose velocities differ.
 template <moving B>
-[[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const B& a, const B& b) {
-    return with_exact_balls(a, b, exact_encounter{});
+[[nodiscard, gnu::noinline]] constexpr encounter classify_exactly(const B& a, const B& b, const open_number& left) {
+    return decide_exactly(a, b, left, exact_encounter{});
 }
 
 // The encounter of two movers, and the stage that decided it.
@@ -97,14 +88,15 @@ template <moving B>
     if (rest_together(a, b)) {
         return {encounter::recede, stage::filter};
     }
+    open_number left;
     if constexpr (std::floating_point<number_in<B>>) {
         if (!std::is_constant_evaluated() && plain_radii(state_of(a).radius, state_of(b).radius)) {
-            if (const auto r = refine(a, b); r.what != undecided) {
+            if (const auto r = refine(a, b, left); r.what != undecided) {
                 return {static_cast<encounter>(r.what), r.decided_by};
             }
         }
     }
-    return {classify_exactly(a, b), stage::exact};
+    return {classify_exactly(a, b, left), stage::exact};
 }
 
 template <moving B, class Observer>

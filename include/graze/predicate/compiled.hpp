@@ -8,10 +8,10 @@
 
 namespace graze::inline v0_1::detail {
 
-extern template encounter classify_exactly(const ball<2, float>&, const ball<2, float>&);
-extern template encounter classify_exactly(const ball<3, float>&, const ball<3, float>&);
-extern template encounter classify_exactly(const ball<2, double>&, const ball<2, double>&);
-extern template encounter classify_exactly(const ball<3, double>&, const ball<3, double>&);
+extern template encounter classify_exactly(const ball<2, float>&, const ball<2, float>&, const open_number&);
+extern template encounter classify_exactly(const ball<3, float>&, const ball<3, float>&, const open_number&);
+extern template encounter classify_exactly(const ball<2, double>&, const ball<2, double>&, const open_number&);
+extern template encounter classify_exactly(const ball<3, double>&, const ball<3, double>&, const open_number&);
 extern template decided_balls classify_further(const ball<2, float>&, const ball<2, float>&);
 extern template decided_balls classify_further(const ball<3, float>&, const ball<3, float>&);
 extern template decided_balls classify_further(const ball<2, double>&, const ball<2, double>&);
@@ -26,10 +26,10 @@ extern template flat_answer decide_flat_slowly(const ball<2, double>&, const wal
 extern template flat_answer decide_flat_slowly(const ball<3, double>&, const wall<3, double>&, flat_question, stage&);
 extern template flat_answer decide_flat_slowly(const ball<3, float>&, const triangle<float>&, flat_question, stage&);
 extern template flat_answer decide_flat_slowly(const ball<3, double>&, const triangle<double>&, flat_question, stage&);
-extern template encounter classify_exactly(const flight<2, float>&, const flight<2, float>&);
-extern template encounter classify_exactly(const flight<3, float>&, const flight<3, float>&);
-extern template encounter classify_exactly(const flight<2, double>&, const flight<2, double>&);
-extern template encounter classify_exactly(const flight<3, double>&, const flight<3, double>&);
+extern template encounter classify_exactly(const flight<2, float>&, const flight<2, float>&, const open_number&);
+extern template encounter classify_exactly(const flight<3, float>&, const flight<3, float>&, const open_number&);
+extern template encounter classify_exactly(const flight<2, double>&, const flight<2, double>&, const open_number&);
+extern template encounter classify_exactly(const flight<3, double>&, const flight<3, double>&, const open_number&);
 extern template flat_answer decide_flat<flat_question::what>(const ball<2, float>&, const wall<2, float>&, stage&);
 extern template flat_answer decide_flat<flat_question::feature>(const ball<2, float>&, const wall<2, float>&, stage&);
 extern template flat_answer decide_flat<flat_question::clearance>(const ball<2, float>&, const wall<2, float>&, stage&);

@@ -17,6 +17,7 @@ template <moving B, class Observer>
     using T = number_in<B>;
     const auto& x = state_of(a);
     const auto& y = state_of(b);
+    open_number left;
     if (!std::is_constant_evaluated() && plain_radii(x.radius, y.radius) && is_finite(x.velocity) &&
         is_finite(y.velocity)) {
         int s = with_motion_at_start(a, b, [](const auto& m, double length2, bool in_range) {
@@ -28,16 +29,17 @@ template <moving B, class Observer>
             return s < 0;
         }
         if constexpr (std::floating_point<T>) {
-            s = distance_further(a, b);
+            s = distance_further(a, b, left);
             if (s != open) {
                 observer(stage::double_word);
                 return s < 0;
             }
         }
     }
-    const bool inside = with_exact_balls(a, b, [](const auto& m) { return exact_sign(m, coefficient_c{}) < 0; });
+    const auto what = decide_exactly(
+        a, b, left, [](const auto& m) { return sign(coefficient_c{}(m)) < 0 ? encounter::overlap : encounter::hit; });
     observer(stage::exact);
-    return inside;
+    return what == encounter::overlap;
 }
 
 } // namespace detail

@@ -102,48 +102,66 @@ struct encounter_in_words {
     const B *a, *b;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept {
+    [[nodiscard, gnu::always_inline]] limited_encounter operator()(std::bool_constant<Fused>) const noexcept {
         return with_sizes_at_start<inputs_in_words<Fused>>(
             *a, *b, [](const auto&... m) __attribute__((always_inline)) {
-                return decided_encounter(sized_movers<of_words, B, loose_word<Fused>>(m...));
+                return limited(encounter_of_sized(sized_movers<of_words, B, loose_word<Fused>>(m...)));
             });
     }
 };
+// Where it is undecided, `left` becomes what is left open.
 template <moving B>
-[[nodiscard, gnu::noinline]] refined_encounter refine_in_words(const B& a, const B& b) noexcept {
+[[nodiscard, gnu::noinline]] refined_encounter refine_in_words(const B& a, const B& b, open_number& left) noexcept {
     if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest()) {
-            return {with_best_products(encounter_in_words<B>{&a, &b}), stage::double_word};
+            const limited_encounter r = with_best_products(encounter_in_words<B>{&a, &b});
+            if (r.what == undecided) {
+                left = {r.left, r.limit};
+            }
+            return {r.what, stage::double_word};
         }
     }
     return {};
 }
 
-// The sign of c alone, or `open` where words don't decide it. Velocities don't matter, as long as they are finite.
+// The sign of c alone or, where words leave it open, a limit of it. Velocities don't matter, as long as they are
+// finite.
+struct refined_distance {
+    int sign = open;
+    double limit = 0;
+};
 template <moving B>
 struct distance_in_words {
     const B *a, *b;
 
     template <bool Fused>
-    [[nodiscard, gnu::always_inline]] int operator()(std::bool_constant<Fused>) const noexcept {
+    [[nodiscard, gnu::always_inline]] refined_distance operator()(std::bool_constant<Fused>) const noexcept {
         return with_sizes_at_start<inputs_in_words<Fused>>(
             *a, *b, [](const auto& m, const auto& size, bool in_range) __attribute__((always_inline)) {
                 const sized_movers<of_words, B, loose_word<Fused>> sized(m, size, in_range);
-                return within_powers<-300, 262>(sized.length2) && in_range ? sized(coefficient_c{}).sign() : open;
+                if (!within_powers<-300, 262>(sized.length2) || !in_range) {
+                    return refined_distance{};
+                }
+                const auto c = sized(coefficient_c{});
+                return refined_distance{c.sign(), limit_of(c)};
             });
     }
 };
 template <moving B>
-[[nodiscard, gnu::noinline]] int distance_further(const B& a, const B& b) noexcept {
+[[nodiscard, gnu::noinline]] int distance_further(const B& a, const B& b, open_number& left) noexcept {
     if constexpr (std::same_as<number_in<B>, float>) {
-        return keeps_subnormals() ? distance_further(in_doubles(a), in_doubles(b)) : open;
+        return keeps_subnormals() ? distance_further(in_doubles(a), in_doubles(b), left) : open;
     } else if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest()) {
-            if (const int s = with_best_products(distance_in_words<B>{&a, &b}); s != open) {
-                return s;
+            const refined_distance r = with_best_products(distance_in_words<B>{&a, &b});
+            left = {open_number::c, r.limit};
+            if (r.limit != 0) {
+                return r.sign;
             }
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
-                return with_best_products(distance_in_words<B>{&s.a, &s.b});
+                const refined_distance far = with_best_products(distance_in_words<B>{&s.a, &s.b});
+                left = {open_number::c, far.limit, s.length, s.velocity};
+                return far.sign;
             }
         }
     }
@@ -152,19 +170,20 @@ template <moving B>
 
 // In doubles, and in words where these leave it open. False for movers out of range.
 template <moving B>
-[[nodiscard, gnu::always_inline]] inline bool refine_in_range(refined_encounter& r, const B& a, const B& b) noexcept {
+[[nodiscard, gnu::always_inline]] inline bool refine_in_range(refined_encounter& r, const B& a, const B& b,
+                                                              open_number& left) noexcept {
     const int what = with_sizes_at_start<inputs_in_doubles>(
         a, b, [](const auto&... m) __attribute__((always_inline)) {
             const sized_movers<of_doubles, B, double> sized(m...);
             return sized.in_range() ? decided_encounter(sized) : out_of_range;
         });
-    r = what == undecided ? refine_in_words(a, b) : refined_encounter{what, stage::refined};
+    r = what == undecided ? refine_in_words(a, b, left) : refined_encounter{what, stage::refined};
     return what != out_of_range;
 }
 
 // For movers out of range: scaled, by the filter, in doubles and in words.
 template <moving B>
-[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const B& a, const B& b) noexcept {
+[[nodiscard, gnu::noinline]] refined_encounter refine_scaled(const B& a, const B& b, open_number& left) noexcept {
     const scaled_movers<B> s = scaled(a, b);
     if (!s.known) {
         return {};
@@ -176,23 +195,30 @@ template <moving B>
         return {static_cast<int>(filtered.what()), stage::filter};
     }
     refined_encounter r;
-    return keeps_subnormals() && refine_in_range(r, s.a, s.b) ? r : refined_encounter{};
+    if (!keeps_subnormals() || !refine_in_range(r, s.a, s.b, left)) {
+        return {};
+    }
+    left.length = s.length;
+    left.velocity = s.velocity;
+    return r;
 }
 
 // For movers whose radii are not negative.
 template <moving B>
 requires std::same_as < number_in<B>,
-double > [[nodiscard, gnu::always_inline]] inline refined_encounter refine(const B& a, const B& b) noexcept {
+double > [[nodiscard, gnu::always_inline]] inline refined_encounter refine(const B& a, const B& b,
+                                                                           open_number& left) noexcept {
     refined_encounter r;
-    if (has_usual_size(a, b) && refine_in_range(r, a, b)) {
+    if (has_usual_size(a, b) && refine_in_range(r, a, b, left)) {
         return r;
     }
-    return refine_scaled(a, b);
+    return refine_scaled(a, b, left);
 }
 template <moving B>
 requires std::same_as < number_in<B>,
-float > [[nodiscard, gnu::always_inline]] inline refined_encounter refine(const B& a, const B& b) noexcept {
-    return keeps_subnormals() ? refine(in_doubles(a), in_doubles(b)) : refined_encounter{};
+float > [[nodiscard, gnu::always_inline]] inline refined_encounter refine(const B& a, const B& b,
+                                                                          open_number& left) noexcept {
+    return keeps_subnormals() ? refine(in_doubles(a), in_doubles(b), left) : refined_encounter{};
 }
 
 } // namespace graze::inline v0_1::detail

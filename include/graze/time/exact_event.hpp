@@ -35,15 +35,10 @@ struct exact_root {
     int unit;
 };
 
-// For a pair without epochs: the exponent of its unit of time, and the quadratic from its start in integers of one
-// limb.
+// For a pair without epochs: the exponent of its unit of time.
 template <class In>
 [[nodiscard]] constexpr int unit_of(const In& in) noexcept {
     return in.length.exponent - in.velocity.exponent;
-}
-template <class P, class In>
-[[nodiscard]] constexpr auto narrow_quadratic(const In& in) {
-    return quadratic_of(P::template motion<integer<one_limb_width>>(in));
 }
 
 // That of an event of pair kind P.
@@ -67,12 +62,6 @@ template <class P, bool Timed, int N, class T>
         auto in = lift_row<P>(e.row);
         in.use(room);
         const int unit = unit_of(in);
-        if constexpr (narrow_pays<P>) {
-            if (in.width() <= one_limb_width) {
-                const auto q = narrow_quadratic<P>(in);
-                return {{to_big(room, q.a), to_big(room, q.h), to_big(room, q.c)}, 0, unit};
-            }
-        }
         return root(P::template motion<big_integer>(in), 0, unit);
     }
 }
@@ -92,33 +81,9 @@ template <class P, bool Timed, int N, class T>
     return start.sign() == 0 ? q : counted_from(q, start);
 }
 
-// The sign of τ(x) - τ(y) for two pairs of balls whose inputs fit in one limb; false if they do not.
-template <int N, class T>
-[[nodiscard]] constexpr bool compare_narrow(const event_row<N, T>& x, const event_row<N, T>& y, int& sign) {
-    if (!x.is_of_balls() || !y.is_of_balls()) {
-        return false;
-    }
-    using P = two_balls<N>;
-    auto in_x = lift_row<P>(x.row);
-    auto in_y = lift_row<P>(y.row);
-    align(in_x.length, in_y.length);
-    align(in_x.velocity, in_y.velocity);
-    if (in_x.width() > one_limb_width || in_y.width() > one_limb_width) {
-        return false;
-    }
-    const auto q = narrow_quadratic<P>(in_x);
-    const auto s = narrow_quadratic<P>(in_y);
-    using C = std::remove_cvref_t<decltype(q.c)>;
-    sign = root_order{}(quadratic{q.a, q.h, x.overlap ? C(0) : q.c}, quadratic{s.a, s.h, y.overlap ? C(0) : s.c});
-    return true;
-}
-
 // The sign of τ(x) - τ(y).
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const event<N, T>& y) {
-    if (int sign = 0; compare_narrow(x, y, sign)) {
-        return sign;
-    }
     timed_workspace room;
     const exact_root r = x.procedures->root(x, room);
     const exact_root s = y.procedures->root(y, room);

@@ -59,9 +59,10 @@ template <class T>
 template <class T, int N, class U>
 [[nodiscard]] constexpr certain_number<T> round_narrow(const event_row<N, U>& e, rounding mode) {
     using P = two_balls<N>;
-    if (const auto in = lift_row<P>(e.row); e.is_of_balls() && in.width() <= one_limb_width) {
-        const auto q = narrow_quadratic<P>(in);
-        using Z = root_sum_integer<integer<one_limb_width>>;
+    using I = integer<61>; // a sum of three squares of differences then still has two limbs
+    if (const auto in = lift_row<P>(e.row); e.is_of_balls() && in.width() <= I::bits) {
+        const auto q = quadratic_of(P::template motion<I>(in));
+        using Z = root_sum_integer<I>;
         return {round_root_from_now<T>(q, radicand<Z>(discriminant_halved{}(q)), unit_of(in), mode), true};
     }
     return {};

@@ -65,7 +65,7 @@ template <moving B>
 // The time of two movers whose velocities differ, by integers.
 template <moving B>
 [[nodiscard, gnu::noinline]] constexpr std::optional<time_of_movers<B>> time_of_impact_exactly(const B& a, const B& b) {
-    const encounter what = classify_exactly(a, b);
+    const encounter what = classify_exactly(a, b, open_number{});
     if (!is_collision(what)) {
         return std::nullopt;
     }
