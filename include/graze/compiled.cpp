@@ -17,12 +17,29 @@ template flat_answer decide_plane_slowly(const ball<2, float>&, const plane<2, f
 template flat_answer decide_plane_slowly(const ball<3, float>&, const plane<3, float>&, flat_question, stage&);
 template flat_answer decide_plane_slowly(const ball<2, double>&, const plane<2, double>&, flat_question, stage&);
 template flat_answer decide_plane_slowly(const ball<3, double>&, const plane<3, double>&, flat_question, stage&);
-template flat_answer decide_flat_slowly(const ball<2, float>&, const wall<2, float>&, flat_question, stage&);
-template flat_answer decide_flat_slowly(const ball<3, float>&, const wall<3, float>&, flat_question, stage&);
-template flat_answer decide_flat_slowly(const ball<2, double>&, const wall<2, double>&, flat_question, stage&);
-template flat_answer decide_flat_slowly(const ball<3, double>&, const wall<3, double>&, flat_question, stage&);
-template flat_answer decide_flat_slowly(const ball<3, float>&, const triangle<float>&, flat_question, stage&);
-template flat_answer decide_flat_slowly(const ball<3, double>&, const triangle<double>&, flat_question, stage&);
+template flat_answer decide_flat_slowly<flat_question::what>(const ball<2, float>&, const wall<2, float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::what>(const ball<3, float>&, const wall<3, float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::what>(const ball<2, double>&, const wall<2, double>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::what>(const ball<3, double>&, const wall<3, double>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::what>(const ball<3, float>&, const triangle<float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::what>(const ball<3, double>&, const triangle<double>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::feature>(const ball<2, float>&, const wall<2, float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::feature>(const ball<3, float>&, const wall<3, float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::feature>(const ball<2, double>&, const wall<2, double>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::feature>(const ball<3, double>&, const wall<3, double>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::feature>(const ball<3, float>&, const triangle<float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::feature>(const ball<3, double>&, const triangle<double>&,
+                                                                stage&);
+template flat_answer decide_flat_slowly<flat_question::clearance>(const ball<2, float>&, const wall<2, float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::clearance>(const ball<3, float>&, const wall<3, float>&, stage&);
+template flat_answer decide_flat_slowly<flat_question::clearance>(const ball<2, double>&, const wall<2, double>&,
+                                                                  stage&);
+template flat_answer decide_flat_slowly<flat_question::clearance>(const ball<3, double>&, const wall<3, double>&,
+                                                                  stage&);
+template flat_answer decide_flat_slowly<flat_question::clearance>(const ball<3, float>&, const triangle<float>&,
+                                                                  stage&);
+template flat_answer decide_flat_slowly<flat_question::clearance>(const ball<3, double>&, const triangle<double>&,
+                                                                  stage&);
 template flat_answer decide_flat<flat_question::what>(const ball<2, float>&, const wall<2, float>&, stage&);
 template flat_answer decide_flat<flat_question::feature>(const ball<2, float>&, const wall<2, float>&, stage&);
 template flat_answer decide_flat<flat_question::clearance>(const ball<2, float>&, const wall<2, float>&, stage&);

@@ -36,6 +36,7 @@ ABOUT = {
     "flat_edge": ["formula/flat_features", "formula/wall_encounter", "predicate/triangles"],
     "flat_hull": ["predicate/triangles", "predicate/decisions", "predicate/wall_scenes"],
     "flat_sight": ["formula/slanted_wall", "formula/wall_encounter", "predicate/triangles", "predicate/wall_scenes"],
+    "flat_view": ["formula/slanted_wall", "formula/wall_encounter", "predicate/triangles", "predicate/wall_scenes"],
     "flat_entry": ["formula/wall_encounter", "formula/slanted_wall", "predicate/triangles", "predicate/wall_scenes",
                    "formula/solve_wall"],
     "flat_encounter": ["formula/wall_encounter", "formula/slanted_wall", "predicate/triangles",

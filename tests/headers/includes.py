@@ -17,8 +17,8 @@ STANDARD = {
     "compare": "partial_ordering strong_ordering",
     "concepts": "constructible_from convertible_to copy_constructible copyable default_initializable derived_from floating_point "
     "integral invocable same_as signed_integral totally_ordered",
-    "cstddef": "byte max_align_t ptrdiff_t",
-    "cstdint": "int16_t int32_t int64_t int8_t uint32_t uint64_t uint8_t",
+    "cstddef": "byte max_align_t nullptr_t ptrdiff_t",
+    "cstdint": "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t",
     "cstdio": "fprintf",
     "cstdlib": "abort",
     "cstring": "memcpy memmove",

@@ -33,21 +33,22 @@ class flat_decision : public flat_entry<N, T, Judge> {
 
     // Only `what`; the feature means nothing.
     [[nodiscard, gnu::always_inline]] constexpr flat_answer what() const {
-        const int speed = judge_(way_speed{}, way_);
+        const int speed = of_way(way_speed{});
         if (speed == open_sign) {
             return {};
         }
-        if (speed == 0) {
-            return from_place();
+        if constexpr (sight::sees_zero) {
+            if (speed == 0) {
+                return from_place();
+            }
         }
-        const located near =
-            nearest([&](int k) { return inside(way_, k, speed); }, [&](int k) { return along_way(k); });
+        const located near = nearest([&](int k) { return inside(k, speed); }, [&](int k) { return along_way(k); });
         if (near.where == none) {
             return {};
         }
         int d = 1;
         if (near.where == feature::face) {
-            const int height = judge_(way_height{}, way_);
+            const int height = of_way(way_height{});
             if (height == open_sign) {
                 return {};
             }
@@ -96,12 +97,11 @@ class flat_decision : public flat_entry<N, T, Judge> {
     using sight::clearance_of_plane;
     using sight::discriminant;
     using sight::inside;
-    using sight::judge_;
     using sight::nearest;
     using sight::nearest_now;
     using sight::none;
+    using sight::of_way;
     using sight::seen_from_feature;
-    using sight::way_;
     using flat_entry<N, T, Judge>::entry;
 
     // For a ball that comes closer than r and is in the slab, or may be.

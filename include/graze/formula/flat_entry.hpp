@@ -54,36 +54,24 @@ class flat_entry : public flat_sight<N, T, Judge> {
     using sight = flat_sight<N, T, Judge>;
     using sight::borders;
     using sight::clearance_of_plane;
-    using sight::inside;
-    using sight::judge_;
-    using sight::m_;
-    using sight::scope_of_judge;
+    using sight::is_triangle;
+    using sight::of_feature;
+    using sight::of_way;
+    using sight::scope;
     using sight::seen_from_border;
     using sight::seen_from_corner;
-    using sight::way_;
 
   private:
-    // Whether a feature is touched first: no, perhaps, yes together with others, or yes alone.
+    // Whether a feature is touched first: no, perhaps, yes together with others, or yes alone. The least of several
+    // conditions is that of all.
     enum verdict { no, perhaps, shared, alone };
 
-    // The sign of x √p - y √q, p, q >= 0, by those of x, y and x² p - y² q.
-    [[nodiscard]] static constexpr int root_difference(int x, int y, int norm) {
-        if (x != open_sign && y != open_sign && x * y <= 0) {
-            return x != 0 ? x : -y;
-        }
-        return norm == open_sign ? open_sign
-               : norm == 0       ? (x == open_sign || y == open_sign ? open_sign : 0)
-               : norm > 0        ? x
-               : y == open_sign  ? open_sign
-                                 : -y;
+    // A condition by a sign that must not be -1.
+    [[nodiscard]] static constexpr verdict verdict_of(int sign) {
+        return sign == -1 ? no : sign == 0 ? shared : sign == 1 ? alone : perhaps;
     }
-    // Several conditions, each a sign that must not be -1, taken together.
-    template <class... Signs>
-    [[nodiscard]] static constexpr verdict all_of(Signs... signs) {
-        return ((signs == -1) || ...)          ? no
-               : ((signs == open_sign) || ...) ? perhaps
-               : ((signs == 0) || ...)         ? shared
-                                               : alone;
+    [[nodiscard]] static constexpr verdict all_of(int x, int y, int z) {
+        return std::min(std::min(verdict_of(x), verdict_of(y)), verdict_of(z));
     }
     [[nodiscard]] constexpr verdict enters(const flat_answer& x, bool& grazes) const {
         if constexpr (N == 3) {
@@ -96,56 +84,42 @@ class flat_entry : public flat_sight<N, T, Judge> {
     [[nodiscard]] static constexpr int minus(int sign) { return sign == open_sign ? sign : -sign; }
 
     [[nodiscard]] constexpr verdict enters_face() const {
-        const int speed = judge_(way_speed{}, way_);
-        const int height = judge_(way_height{}, way_);
+        const int speed = of_way(way_speed{});
+        const int height = of_way(way_height{});
         if (speed == open_sign || height == open_sign) {
             return perhaps;
         }
         if (speed * height != -1) {
             return no;
         }
-        verdict v = all_of(clearance_of_plane());
+        verdict v = verdict_of(clearance_of_plane());
         v = v == shared ? alone : v; // on the face now
-        if constexpr (Judge::has_roots) {
-            const T sense(speed < 0 ? T(-1) : T(1));
-            flat_touch<N, T> touch{T(0), way_.facing * sense, m_.r, way_.at, way_.pull};
-            if (!judge_.root(way_.nn, touch.length)) {
-                return perhaps;
-            }
-            for (auto& at : touch.at) {
-                at = at * sense;
-            }
-            for (int k = 0; k < borders() && v != no; ++k) {
-                v = std::min(v, all_of(judge_(touch_inside{k, m_.is_triangle}, touch)));
-            }
-        } else {
-            for (int k = 0; k < borders() && v != no; ++k) {
-                const int inward = graze::sign(m_.r) == 0 ? 0 : judge_(inward_speed{k, m_.is_triangle}, way_);
-                v = std::min(v, all_of(root_difference(inside(way_, k, speed), inward,
-                                                       judge_(touch_inside_norm{k, m_.is_triangle}, way_))));
-            }
+        const auto touch = sight::touch(speed);
+        for (int k = 0; k < borders() && v != no; ++k) {
+            v = std::min(v, verdict_of(sight::inside_at_touch(k, touch)));
         }
         return v;
     }
     [[nodiscard]] constexpr verdict enters_edge(int k, bool& grazes) const {
-        [[maybe_unused]] const auto scope = scope_of_judge();
+        [[maybe_unused]] const auto here = scope();
         const auto x = seen_from_border(k);
-        const int d = judge_(border_discriminant{}, x);
-        const verdict v = all_of(judge_above(minus(judge_(border_h{}, x))), above(judge_(border_c{}, x)), above(d));
+        const int d = of_feature(border_discriminant{}, x);
+        const verdict v =
+            all_of(judge_above(minus(of_feature(border_h{}, x))), above(of_feature(border_c{}, x)), above(d));
         if (v == no || v == perhaps) {
             return v;
         }
         grazes = d == 0;
-        const int u = d == 0 ? 0 : judge_(direction_speed{}, x);
-        const int start =
-            root_difference(judge_(nearest_from_start{}, x), u, judge_(touch_along_norm<nearest_from_start>{}, x));
-        const int end =
-            root_difference(judge_(nearest_from_end{}, x), u, judge_(touch_along_norm<nearest_from_end>{}, x));
-        const int inward = judge_(touch_inward{}, x);
-        const int outside =
-            root_difference(judge_(touch_outside{}, x), d == 0 ? 0 : inward, judge_(touch_outside_norm{}, x));
+        const int u = d == 0 ? 0 : of_feature(direction_speed{}, x);
+        const int start = detail::root_difference(of_feature(nearest_from_start{}, x), u,
+                                                  of_feature(touch_along_norm<nearest_from_start>{}, x));
+        const int end = detail::root_difference(of_feature(nearest_from_end{}, x), u,
+                                                of_feature(touch_along_norm<nearest_from_end>{}, x));
+        const int inward = of_feature(touch_inward{}, x);
+        const int outside = detail::root_difference(of_feature(touch_outside{}, x), d == 0 ? 0 : inward,
+                                                    of_feature(touch_outside_norm{}, x));
         if (d == 0 && (inward == -1 || inward == open_sign)) { // does it slide along the face and leave it here?
-            const int speed = judge_(way_speed{}, way_);
+            const int speed = of_way(way_speed{});
             if (speed == 0 && inward == -1) {
                 return no;
             }
@@ -158,28 +132,29 @@ class flat_entry : public flat_sight<N, T, Judge> {
     [[nodiscard]] constexpr verdict enters_corner(int corner, bool& grazes) const {
         int first = corner; // of the borders that meet here
         if constexpr (N == 3) {
-            first = m_.is_triangle ? (corner == 1 ? 1 : 0) : corner % 2;
+            first = is_triangle() ? (corner == 1 ? 1 : 0) : corner % 2;
         }
         const int count = N == 2 ? 1 : 2;
         verdict v = alone;
-        const int speed = judge_(way_speed{}, way_);
+        const int speed = of_way(way_speed{});
         bool slides_off = speed == 0; // along the face, over no border inwards
         bool stays_on = speed == 1 || speed == -1;
         for (int j = 0; j < count; ++j) {
-            const int k = j == 0 ? first : other_border(corner, first, m_.is_triangle);
-            [[maybe_unused]] const auto scope = scope_of_judge();
+            const int k = j == 0 ? first : other_border(corner, first, is_triangle());
+            [[maybe_unused]] const auto here = scope();
             const auto x = seen_from_corner(corner, k);
-            const int d = judge_(corner_discriminant{}, x);
+            const int d = of_feature(corner_discriminant{}, x);
             grazes = d == 0;
-            v = std::min(v, all_of(judge_above(minus(judge_(corner_h{}, x))), above(judge_(corner_c{}, x)), above(d)));
+            v = std::min(
+                v, all_of(judge_above(minus(of_feature(corner_h{}, x))), above(of_feature(corner_c{}, x)), above(d)));
             if (v == no) {
                 return no;
             }
-            v = std::min(v, all_of(minus(root_difference(judge_(nearest_from_start{}, x),
-                                                         d == 0 ? 0 : judge_(direction_speed{}, x),
-                                                         judge_(touch_behind_norm{}, x)))));
+            v = std::min(v, verdict_of(minus(detail::root_difference(of_feature(nearest_from_start{}, x),
+                                                                     d == 0 ? 0 : of_feature(direction_speed{}, x),
+                                                                     of_feature(touch_behind_norm{}, x)))));
             if (!stays_on) {
-                const int inward = judge_(inward_speed{k, m_.is_triangle}, way_);
+                const int inward = of_way(inward_speed{k, is_triangle()});
                 slides_off = slides_off && inward < 1;
                 stays_on = inward == 1;
             }

@@ -53,5 +53,15 @@ template <int N, class T>
 [[nodiscard]] constexpr vec<N, T> direction_of_border(const flat_motion<N, T>& m, int k) {
     return k >= 2 ? m.e[0] : k == 1 && m.is_triangle ? m.e[1] - m.e[0] : m.e[1];
 }
+// The direction inwards along border k from a corner that is one of its ends.
+template <int N, class T>
+[[nodiscard]] constexpr vec<N, T> direction_from(const flat_motion<N, T>& m, int corner, int k) {
+    if constexpr (N == 2) {
+        return k == 0 ? m.e[0] : -m.e[0];
+    } else {
+        const vec<N, T> d = direction_of_border(m, k);
+        return ends_of_border(k, m.is_triangle).start == corner ? d : -d;
+    }
+}
 
 } // namespace graze::inline v0_1

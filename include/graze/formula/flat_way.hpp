@@ -91,6 +91,12 @@ struct way_height {
         return x.height;
     }
 };
+struct way_square { // n·n, positive if the edges are not parallel
+    template <class W>
+    [[nodiscard]] constexpr auto operator()(const W& x) const {
+        return x.nn;
+    }
+};
 struct way_speed {
     template <class W>
     [[nodiscard]] constexpr auto operator()(const W& x) const {

@@ -67,6 +67,7 @@ with_bounds(const flat_edge<N, double>& x, const magnitudes& s) noexcept {
 template <int N, class T>
 struct filtered_judge {
     static constexpr bool has_roots = true;
+    static constexpr bool sees_no_zero = true;
     magnitudes scales;
     mutable bool refined = false; // whether a sign was certain by values
 

@@ -6,9 +6,11 @@
 #include <graze/machine/environment.hpp>
 #include <graze/number/bounded_word.hpp>
 #include <graze/pair/bounded_double.hpp>
+#include <graze/pair/compiled_questions.hpp>
 #include <graze/pair/flat_signs.hpp>
 #include <graze/pair/known_zero.hpp>
 #include <graze/pair/pair.hpp>
+#include <graze/pair/recorded_questions.hpp>
 #include <graze/pair/scaled_row.hpp>
 #include <graze/pair/stage.hpp>
 
@@ -17,38 +19,92 @@ namespace graze::inline v0_1::detail {
 // what: the answer's feature means nothing. clearance: overlap if the two are inside each other now, else miss.
 enum class flat_question : std::uint8_t { what, feature, clearance };
 
-struct no_guess {};
-
-// guess(): the probable answer, if there is one.
-template <int N, class T, class Judge, class Guess = no_guess>
-[[nodiscard, gnu::always_inline]] constexpr inline flat_answer answer_of(const flat_motion<N, T>& m, const Judge& judge,
-                                                                         flat_question question, Guess guess = {}) {
-    const auto way = way_of(m);
-    const flat_decision<N, T, Judge> decision(m, way, judge);
+// The answer to a question from its decision.
+template <class Decision>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_answer answer_of(const Decision& decision,
+                                                                         flat_question question) {
     if (question == flat_question::clearance) {
         const int c = decision.clearance();
         return {c != open_sign, c < 0 ? encounter::overlap : encounter::miss};
     }
-    if constexpr (!std::is_same_v<Guess, no_guess>) {
-        if (question == flat_question::feature) {
-            if (const flat_answer first = decision.if_alone(guess()); first.certain) {
-                return first;
-            }
-        }
-    }
     const flat_answer found = decision.what();
-    return question == flat_question::what ? found : decision.with_feature(found);
+    return question == flat_question::feature ? decision.with_feature(found) : found;
 }
 
-// By doubles and a bound from these magnitudes.
+// By doubles and a bound from their magnitudes.
+template <flat_question Question, int N, class T>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_answer
+answer_by_filter_here(const flat_motion<N, double>& m, const flat_way<N, double>& way,
+                      const filtered_judge<N, T>& judge) {
+    const flat_decision<N, double, filtered_judge<N, T>> decision(m, way, judge);
+    if constexpr (Question == flat_question::what) {
+        return decision.what();
+    } else {
+        return answer_of(decision, Question);
+    }
+}
+template <flat_question Question, int N, class T>
+[[nodiscard, gnu::noinline]] constexpr flat_answer answer_by_filter_called(const flat_motion<N, double>& m,
+                                                                           const flat_way<N, double>& way,
+                                                                           const filtered_judge<N, T>& judge) {
+    return answer_by_filter_here<Question>(m, way, judge);
+}
+// In the plane a call would cost a twentieth of the answer.
+template <flat_question Question, int N, class T>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_answer
+answer_by_filter(const flat_motion<N, double>& m, const flat_way<N, double>& way, const filtered_judge<N, T>& judge) {
+    if constexpr (N == 2) {
+        return answer_by_filter_here<Question>(m, way, judge);
+    } else {
+        return answer_by_filter_called<Question>(m, way, judge);
+    }
+}
+
+// What is asked of a pair. rests: only whether it is one, since the ball recedes. guesses: any answer will do.
+struct flat_asked {
+    flat_question question;
+    bool is_triangle, rests, guesses;
+};
+
+// The answer to a question for which there may be a guess: the probable answer.
+template <class Decision>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_answer
+answer_of(const Decision& decision, flat_question question, const flat_answer& guess) {
+    if (question == flat_question::feature) {
+        if (const flat_answer first = decision.if_alone(guess); first.certain) {
+            return first;
+        }
+    }
+    return answer_of(decision, question);
+}
 template <int N>
-[[nodiscard, gnu::noinline]] flat_answer answer_by_filter(const flat_motion<N, double>& m, const magnitudes& s,
-                                                          flat_question question) noexcept {
-    const filtered_judge<N, double> judge{s};
-    return answer_of(m, judge, question);
+[[nodiscard, gnu::noinline]] constexpr flat_answer answer_by_name(flat_questions<N>& q, flat_question question,
+                                                                  const flat_answer& guess) {
+    return answer_of(flat_decision<N, named, flat_questions<N>>(q), question, guess);
+}
+
+// By numbers of T. In the plane, where formulas are short, the procedure is compiled for T; in space it asks by name.
+// Not certain if the edges may be parallel.
+template <int N, class T, class Judge>
+[[nodiscard, gnu::always_inline]] constexpr inline flat_answer
+answer_in(const flat_motion<N, T>& m, const Judge& judge, const flat_asked& asked, const flat_answer& guess = {}) {
+    if constexpr (N == 2) {
+        const auto way = way_of(m);
+        return judge(way_square{}, way) != 1 ? flat_answer{}
+               : asked.rests                 ? flat_answer{true}
+                             : answer_of(flat_decision<N, T, Judge>(m, way, judge), asked.question, guess);
+    } else {
+        using questions =
+            std::conditional_t<Judge::is_quick, compiled_questions<N, T, Judge>, recorded_questions<N, T, Judge>>;
+        questions q(m, judge);
+        return q.sign(flat_name::square, {}) != 1 ? flat_answer{}
+               : asked.rests                      ? flat_answer{true}
+                                                  : answer_by_name<N>(q, asked.question, guess);
+    }
 }
 
 struct word_judge {
+    static constexpr bool is_quick = false;
     static constexpr bool has_roots = true;
     [[nodiscard]] bool root(const bounded_word& x, bounded_word& y) const noexcept {
         y = sqrt(x);
@@ -57,14 +113,18 @@ struct word_judge {
 
     template <class F, class X>
     [[nodiscard]] int operator()(F f, const X& x) const noexcept {
-        const bounded_word y = f(x);
+        return sign_of(f(x));
+    }
+    [[nodiscard]] int sign_of(const bounded_word& y) const noexcept {
         return y.has_certain_sign() ? graze::sign(y) : y.is_zero() ? 0 : open_sign;
     }
 };
 // No sign of it is a certain 0, but that of a speed which is known to vanish.
 struct refined_judge {
+    static constexpr bool is_quick = true;
     static constexpr bool has_roots = false;
     bool moves_along = false; // the plane
+    bool guesses = false;     // takes the doubles for exact
 
     template <class F, class X>
     [[nodiscard]] int operator()(F f, const X& x) const noexcept {
@@ -73,23 +133,33 @@ struct refined_judge {
                 return 0;
             }
         }
-        // A step loses less than 2^-1070; inputs below 2^3, a degree below 30 and fewer than 2^11 steps leave that
-        // below 2^-900.
-        const int s = bounded_double<53>(f(x)).certain_sign(0x1p-900);
+        return sign_of(f(x));
+    }
+    // A step loses less than 2^-1070; inputs below 2^3, a degree below 30 and fewer than 2^11 steps leave that below
+    // 2^-900.
+    [[nodiscard]] int sign_of(const bounded_double<53>& y) const noexcept {
+        if (guesses) {
+            return graze::sign(y);
+        }
+        const int s = y.certain_sign(0x1p-900);
         return s != 0 ? s : open_sign;
     }
 };
 struct exact_judge {
+    static constexpr bool is_quick = false;
     static constexpr bool has_roots = false;
     workspace* room;
 
     [[nodiscard]] constexpr workspace::scope scope() const noexcept { return workspace::scope(room); }
+    [[nodiscard]] constexpr std::int64_t* mark() const noexcept { return room->take(0); }
+    constexpr void rewind(std::int64_t* mark) const noexcept { room->keep_until(mark); }
 
     template <class F, class X>
     [[nodiscard]] constexpr int operator()(F f, const X& x) const {
         const workspace::scope own(room);
-        return graze::sign(f(x));
+        return sign_of(f(x));
     }
+    [[nodiscard]] constexpr int sign_of(const big_integer& y) const noexcept { return graze::sign(y); }
 };
 
 template <int N, class I>
@@ -109,52 +179,54 @@ template <int N, class I, class Inputs>
 }
 
 // Of a pair that is out of the filter's range: scaled, and by the filter.
-template <int N, class In>
-[[nodiscard, gnu::noinline]] flat_answer answer_by_scaling(const In& in, bool is_triangle,
-                                                           flat_question question) noexcept {
+template <flat_question Question, int N, class In>
+[[nodiscard, gnu::noinline]] flat_answer answer_by_scaling(const In& in, bool is_triangle) noexcept {
     const auto m = flat_motion_in<N, double>(in, is_triangle);
-    magnitudes s = magnitudes_of(m);
-    if (question == flat_question::clearance) {
-        forget_rest_in(s);
+    filtered_judge<N, double> judge{magnitudes_of(m)};
+    if constexpr (Question == flat_question::clearance) {
+        forget_rest_in(judge.scales);
     }
-    return usable<double>(s) ? answer_by_filter(m, s, question) : flat_answer{};
+    return usable<double>(judge.scales) ? answer_by_filter<Question>(m, way_of(m), judge) : flat_answer{};
 }
 
 // In doubles with a running error, as far as no feature is asked for: this settles balls that are far away, and most
 // that nearly graze.
 template <int N, class In>
-[[nodiscard, gnu::noinline]] flat_answer answer_by_refining(const In& in, bool is_triangle,
-                                                            flat_question question) noexcept {
-    const auto m = flat_motion_in<N, bounded_double<53>>(in, is_triangle);
-    const refined_judge judge{way_speed{}(way_of(flat_motion_in<N, known_zero>(in, is_triangle))).is_zero()};
-    if (question == flat_question::clearance || judge(edges_span{}, edges_of(m)) != 1) {
+[[nodiscard, gnu::noinline]] flat_answer answer_by_refining(const In& in, const flat_asked& asked) noexcept {
+    if (asked.question == flat_question::clearance) {
         return {};
     }
-    const auto way = way_of(m);
-    const flat_answer found = flat_decision<N, bounded_double<53>, refined_judge>(m, way, judge).what();
-    return question == flat_question::feature && found.what == encounter::hit ? flat_answer{} : found;
+    const auto m = flat_motion_in<N, bounded_double<53>>(in, asked.is_triangle);
+    if (asked.rests) {
+        return {refined_judge{}(edges_span{}, edges_of(m)) == 1};
+    }
+    const auto zeros = flat_motion_in<N, known_zero>(in, asked.is_triangle);
+    const refined_judge judge{graze::dot(zeros.u, face_normal(zeros.e)).is_zero(), asked.guesses};
+    const bool lacks_feature = asked.question == flat_question::feature && !asked.guesses;
+    flat_asked now = asked;
+    now.question = lacks_feature ? flat_question::what : asked.question;
+    const flat_answer found = answer_in(m, judge, now);
+    return lacks_feature && found.what == encounter::hit ? flat_answer{} : found;
 }
 
 // In double words with a running error. What doubles say is probable, whatever their bounds.
 template <int N, class In>
-[[nodiscard, gnu::noinline]] flat_answer answer_by_words(const In& in, bool is_triangle,
-                                                         flat_question question) noexcept {
-    const auto m = flat_motion_in<N, bounded_word>(in, is_triangle);
-    const word_judge judge;
-    const auto guess = [&] {
-        return answer_by_filter(flat_motion_in<N, double>(in, is_triangle), {0, 0, 0}, flat_question::feature);
-    };
-    return judge(edges_span{}, edges_of(m)) == 1 ? answer_of(m, judge, question, guess) : flat_answer{};
+[[nodiscard, gnu::noinline]] flat_answer answer_by_words(const In& in, const flat_asked& asked) noexcept {
+    const flat_answer guess = asked.question == flat_question::feature
+                                  ? answer_by_refining<N>(in, {flat_question::feature, asked.is_triangle, false, true})
+                                  : flat_answer{};
+    return answer_in(flat_motion_in<N, bounded_word>(in, asked.is_triangle), word_judge{}, asked, guess);
 }
 
+// Not certain if edges are parallel.
 template <int N>
 [[nodiscard, gnu::noinline]] constexpr flat_answer
 answer_by_integers(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<N>::velocities, 0>& in,
-                   bool is_triangle, flat_question question) {
+                   const flat_asked& asked) {
     exact_workspace room;
     auto here = in;
     here.use(room);
-    return answer_of(flat_motion_in<N, big_integer>(here, is_triangle), exact_judge{&room}, question);
+    return answer_in(flat_motion_in<N, big_integer>(here, asked.is_triangle), exact_judge{&room}, asked);
 }
 
 // Whether the edges in a row are parallel.
@@ -170,52 +242,39 @@ has_parallel_edges(const lifted_inputs<ball_and_wall<N>::lengths, ball_and_wall<
 
 // Of a row of checked numbers by scaled or refined doubles, then by double words. filtered: whether the filter has
 // tried.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] flat_answer answer_by_scaled(const T* row, bool is_triangle, bool filtered,
-                                                          flat_question question, stage& by) noexcept {
+template <flat_question Question, int N, class T>
+[[nodiscard, gnu::noinline]] flat_answer answer_by_scaled(const T* row, const flat_asked& asked, bool filtered,
+                                                          stage& by) noexcept {
     const scaled_row<ball_and_wall<N>, T> scaled(row);
     if (!(scaled.length.plain && scaled.velocity.plain)) {
         return {};
     }
-    const flat_answer found = filtered ? answer_by_refining<N>(scaled, is_triangle, question)
-                                       : answer_by_scaling<N>(scaled, is_triangle, question);
+    if (!filtered && !asked.rests) {
+        if (const flat_answer found = answer_by_scaling<Question, N>(scaled, asked.is_triangle); found.certain) {
+            by = wider(by, stage::refined);
+            return found;
+        }
+    }
+    const flat_answer found = answer_by_refining<N>(scaled, asked);
     by = wider(by, found.certain ? stage::refined : stage::double_word);
-    return found.certain ? found : answer_by_words<N>(scaled, is_triangle, question);
-}
-
-// Whether doubles with a running error tell that the edges in a row are not parallel.
-template <int N, class T>
-[[nodiscard, gnu::noinline]] bool edges_differ(const T* row) noexcept {
-    const scaled_row<ball_and_wall<N>, T> scaled(row);
-    return scaled.length.plain &&
-           refined_judge{}(edges_span{}, edges_of(flat_motion_in<N, bounded_double<53>>(scaled, false))) == 1;
+    return found.certain || asked.rests ? found : answer_by_words<N>(scaled, asked);
 }
 
 // The answer for a row of checked numbers. If edges are parallel it is not certain.
-template <int N, class T, class Row>
+template <flat_question Question, int N, class T, class Row>
 [[nodiscard, gnu::noinline]] constexpr flat_answer refine_flat(const Row& row, bool is_triangle, bool rests,
-                                                               bool filtered, flat_question question, stage& by) {
-    constexpr bool has_words = has_error_free_doubles && !is_wide_integer<T>;
-    if (rests && question != flat_question::clearance) {
-        by = wider(by, stage::filter);
-        if constexpr (has_words) {
-            if (!std::is_constant_evaluated() && rounds_to_nearest() && edges_differ<N, T>(row.data())) {
-                return flat_answer{true};
-            }
-        }
-        return has_parallel_edges<N>(lift_row<ball_and_wall<N>>(row)) ? flat_answer{} : flat_answer{true};
-    }
-    if constexpr (has_words) {
+                                                               bool filtered, stage& by) {
+    const flat_asked asked{Question, is_triangle, rests && Question != flat_question::clearance, false};
+    if constexpr (has_error_free_doubles && !is_wide_integer<T>) {
         if (!std::is_constant_evaluated() && rounds_to_nearest()) {
-            const flat_answer found = answer_by_scaled<N, T>(row.data(), is_triangle, filtered, question, by);
+            const flat_answer found = answer_by_scaled<Question, N, T>(row.data(), asked, filtered, by);
             if (found.certain) {
                 return found;
             }
         }
     }
     by = stage::exact;
-    const auto in = lift_row<ball_and_wall<N>>(row);
-    return has_parallel_edges<N>(in) ? flat_answer{} : answer_by_integers<N>(in, is_triangle, question);
+    return answer_by_integers<N>(lift_row<ball_and_wall<N>>(row), asked);
 }
 
 // Whether all numbers of a row are below 2^48, so that formulas in doubles don't overflow, not even in a constant

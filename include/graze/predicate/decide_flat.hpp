@@ -21,9 +21,9 @@ struct filtered_flat {
 
 // Inputs are checked here, where doubles are not certain. Inputs out of the filter's range are not finite, or zero, or
 // merely unusual.
-template <int N, class T, class Shape>
+template <flat_question Question, int N, class T, class Shape>
 [[nodiscard, gnu::noinline]] constexpr flat_answer decide_flat_slowly(const ball<N, T>& b, const Shape& shape,
-                                                                      flat_question question, stage& by) {
+                                                                      stage& by) {
     check(b, "ball");
     check(shape, name_of(shape));
     const auto row = packed<ball_and_wall<N>>(b, shape);
@@ -32,7 +32,11 @@ template <int N, class T, class Shape>
     if (!std::is_constant_evaluated() && !rests) {
         filtered = filtered_flat<N, T>(b, shape).in_range;
     }
-    const flat_answer found = refine_flat<N, T>(row, is_triangle<Shape>, rests, filtered, question, by);
+    stage widest = by;
+    const flat_answer found = refine_flat<Question, N, T>(row, is_triangle<Shape>, rests, filtered, widest);
+    if (Question == flat_question::clearance || !rests) {
+        by = widest;
+    }
     if (!found.certain) {
         tell_parallel_edges(rejecting{name_of(shape)});
     }
@@ -55,13 +59,14 @@ template <flat_question Question, int N, class T, class Shape>
                     return found;
                 }
             }
-            if (const flat_answer found = answer_of(f.motion, f.judge, Question); found.certain) [[likely]] {
+            if (const flat_answer found = answer_by_filter<Question>(f.motion, way_of(f.motion), f.judge);
+                found.certain) [[likely]] {
                 by = f.judge.decided_by();
                 return found;
             }
         }
     }
-    return decide_flat_slowly(b, shape, Question, by);
+    return decide_flat_slowly<Question>(b, shape, by);
 }
 
 } // namespace graze::inline v0_1::detail

@@ -140,8 +140,8 @@ template <int N, class T, class Shape>
                 return {found, {}};
             }
             const auto way = way_of(f.motion);
-            const flat_decision<N, double, filtered_judge<N, T>> decision(f.motion, way, f.judge);
-            if (const flat_answer found = decision(); found.certain) [[likely]] {
+            if (const flat_answer found = answer_by_filter<flat_question::feature>(f.motion, way, f.judge);
+                found.certain) [[likely]] {
                 by = f.judge.decided_by();
                 if (found.what != encounter::hit) {
                     return {found, {}};
@@ -150,7 +150,7 @@ template <int N, class T, class Shape>
                 return {found, bounds.is_known() ? bounds : enclose_by_step(b, w, found)};
             }
         }
-        const flat_answer found = decide_flat_slowly(b, w, flat_question::feature, by);
+        const flat_answer found = decide_flat_slowly<flat_question::feature>(b, w, by);
         return {found, found.what == encounter::hit ? enclose_by_step(b, w, found) : enclosure{}};
     }
     return {decide_flat<flat_question::feature>(b, w, by), {}};

@@ -46,7 +46,7 @@ MEASURED = {
     "formula/discriminant.hpp": BALLS, "formula/roots.hpp": SOLUTIONS, "formula/contact.hpp": SOLUTIONS,
     "formula/impulse.hpp": SOLUTIONS, "formula/plane_crossing.hpp": SOLUTIONS, "formula/wall_features.hpp": SOLUTIONS,
     "formula/flat_way.hpp": SOLUTIONS, "formula/flat_edge.hpp": SOLUTIONS,
-    "formula/flat_entry.hpp": SOLUTIONS, "formula/flat_sight.hpp": SOLUTIONS, "formula/flat_encounter.hpp": SOLUTIONS,
+    "formula/flat_entry.hpp": SOLUTIONS, "formula/flat_view.hpp": SOLUTIONS, "formula/flat_sight.hpp": SOLUTIONS, "formula/flat_encounter.hpp": SOLUTIONS,
     "formula/root_order.hpp": ["order_of_roots"],
     "formula/solution.hpp": SOLUTIONS, "formula/solve_balls.hpp": SOLUTIONS, "formula/solve_plane.hpp": SOLUTIONS,
     "formula/solve_flat.hpp": SOLUTIONS,
