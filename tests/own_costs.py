@@ -2,7 +2,8 @@
 """own_costs.py BUILD [TEST...]: the processor seconds of each test program: compiling its own units, and its tests' runs.
 
 It compiles each unit once more, without ccache, and writes no file of the build. What a program shares with others, such as
-libraries and precompiled headers, is not counted. Tests with a label are left out. TEST: only programs with this in their name.
+libraries and precompiled headers, is not counted. Left out are tests with a label and programs that are not built. TEST: only
+programs with this in their name.
 """
 import json
 import os
@@ -47,7 +48,7 @@ def main():
     programs = {}
     for test in json.loads(listed.stdout)["tests"]:
         program = test.get("command", [""])[0]
-        if program.startswith(build + "/tests/"):
+        if program.startswith(build + "/tests/") and os.path.exists(program):
             programs.setdefault(program, []).append(test)
     with open(f"{build}/compile_commands.json", encoding="utf-8") as file:
         entries = json.load(file)
@@ -66,7 +67,8 @@ def main():
     print("  all  compile   run  program")
     for row in sorted(rows, reverse=True):
         print("{:5.1f}    {:5.1f} {:5.1f}  {}".format(*row))
-    print(f"median {statistics.median(r[0] for r in rows):.1f} of {len(rows)}")
+    if rows:
+        print(f"median {statistics.median(r[0] for r in rows):.1f} of {len(rows)}")
 
 
 main()
