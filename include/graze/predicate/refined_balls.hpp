@@ -114,8 +114,7 @@ template <moving B>
 [[nodiscard, gnu::noinline]] refined_encounter refine_in_words(const B& a, const B& b, open_number& left) noexcept {
     if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest()) {
-            const limited_encounter r =
-                with_fused_products(encounter_in_words<B>{&a, &b}, limited_encounter{undecided, open_number::h, 0});
+            const limited_encounter r = with_best_products(encounter_in_words<B>{&a, &b});
             if (r.what == undecided) {
                 left = {r.left, r.limit};
             }
@@ -154,13 +153,13 @@ template <moving B>
         return keeps_subnormals() ? distance_further(in_doubles(a), in_doubles(b), left) : open;
     } else if constexpr (has_error_free_doubles) {
         if (rounds_to_nearest()) {
-            const refined_distance r = with_fused_products(distance_in_words<B>{&a, &b}, refined_distance{});
+            const refined_distance r = with_best_products(distance_in_words<B>{&a, &b});
             left = {open_number::c, r.limit};
             if (r.limit != 0) {
                 return r.sign;
             }
             if (const scaled_movers<B> s = scaled(a, b); s.known) {
-                const refined_distance far = with_fused_products(distance_in_words<B>{&s.a, &s.b}, refined_distance{});
+                const refined_distance far = with_best_products(distance_in_words<B>{&s.a, &s.b});
                 left = {open_number::c, far.limit, s.length, s.velocity};
                 return far.sign;
             }

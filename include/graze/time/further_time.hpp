@@ -98,14 +98,14 @@ template <moving B>
         return true;
     }
     const double near = root_stable{}(filtered.c, filtered.h, plain_sqrt(filtered.discriminant));
-    with_fused_products_or(time_by_doubles<B, further_time>{&a, &b, near, &r}, [] {});
+    with_best_products(time_by_doubles<B, further_time>{&a, &b, near, &r});
     return r.good;
 }
 template <moving B>
 [[gnu::always_inline]] inline void words_time(further_time& r, const B& a, const B& b) noexcept {
     const auto& x = as_flight(a);
     const auto& y = as_flight(b);
-    with_fused_products_or(approach_in_words<dimension_of<B>>{&x, &y, &r}, [&] { r.what = undecided; });
+    with_best_products(approach_in_words<dimension_of<B>>{&x, &y, &r});
 }
 
 // The encounter of two balls as a number, or `undecided`; for a hit also its time, rounded to nearest.
