@@ -1,6 +1,8 @@
 // A collision as the smaller root of an exact quadratic.
 #pragma once
 
+#include <graze/exact/integer.hpp>
+#include <graze/formula/discriminant.hpp>
 #include <graze/formula/root_order.hpp>
 #include <graze/pair/flight_pair.hpp>
 #include <graze/time/event.hpp>
@@ -81,9 +83,42 @@ template <class P, bool Timed, int N, class T>
     return start.sign() == 0 ? q : counted_from(q, start);
 }
 
+// The quadratic of two balls from their start, in integers of one limb. A sum of three squares of differences then has
+// two limbs.
+using short_integer = integer<61>;
+template <class P, class In>
+[[nodiscard]] constexpr auto short_quadratic(const In& in) {
+    return quadratic_of(P::template motion<short_integer>(in));
+}
+
+// The sign of τ(x) - τ(y) for two pairs of balls whose inputs fit in one limb; false if they do not. Equal times are
+// common there: balls on a grid.
+template <int N, class T>
+[[nodiscard]] constexpr bool compare_short(const event_row<N, T>& x, const event_row<N, T>& y, int& sign) {
+    if (!x.is_of_balls() || !y.is_of_balls()) {
+        return false;
+    }
+    using P = two_balls<N>;
+    auto in_x = lift_row<P>(x.row);
+    auto in_y = lift_row<P>(y.row);
+    align(in_x.length, in_y.length);
+    align(in_x.velocity, in_y.velocity);
+    if (in_x.width() > short_integer::bits || in_y.width() > short_integer::bits) {
+        return false;
+    }
+    const auto q = short_quadratic<P>(in_x);
+    const auto s = short_quadratic<P>(in_y);
+    using C = std::remove_cvref_t<decltype(q.c)>;
+    sign = root_order{}(quadratic{q.a, q.h, x.overlap ? C(0) : q.c}, quadratic{s.a, s.h, y.overlap ? C(0) : s.c});
+    return true;
+}
+
 // The sign of τ(x) - τ(y).
 template <int N, class T>
 [[nodiscard, gnu::noinline]] constexpr int compare_exactly(const event<N, T>& x, const event<N, T>& y) {
+    if (int sign = 0; compare_short(x, y, sign)) {
+        return sign;
+    }
     timed_workspace room;
     const exact_root r = x.procedures->root(x, room);
     const exact_root s = y.procedures->root(y, room);

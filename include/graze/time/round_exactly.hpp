@@ -59,10 +59,9 @@ template <class T>
 template <class T, int N, class U>
 [[nodiscard]] constexpr certain_number<T> round_narrow(const event_row<N, U>& e, rounding mode) {
     using P = two_balls<N>;
-    using I = integer<61>; // a sum of three squares of differences then still has two limbs
-    if (const auto in = lift_row<P>(e.row); e.is_of_balls() && in.width() <= I::bits) {
-        const auto q = quadratic_of(P::template motion<I>(in));
-        using Z = root_sum_integer<I>;
+    if (const auto in = lift_row<P>(e.row); e.is_of_balls() && in.width() <= short_integer::bits) {
+        const auto q = short_quadratic<P>(in);
+        using Z = root_sum_integer<short_integer>;
         return {round_root_from_now<T>(q, radicand<Z>(discriminant_halved{}(q)), unit_of(in), mode), true};
     }
     return {};
