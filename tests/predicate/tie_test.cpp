@@ -2,7 +2,9 @@
 // be 0 only if it is. The truth is computed here, in integers.
 #include "answers.hpp"
 
+#include <graze/overlaps.hpp>
 #include <graze/pair/open_number.hpp>
+#include <graze/predicate/refined_balls.hpp>
 
 #include <doctest/doctest.h>
 #include <gmpxx.h>
@@ -11,6 +13,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <random>
+#include <type_traits>
 
 namespace {
 
@@ -168,4 +171,15 @@ TEST_CASE("An open number is 0 if it is below one unit") {
     }
     CHECK(!open_number{open_number::c, 1e-300}.is_zero(-1074, 0));
     CHECK(!open_number{open_number::c, std::nan("")}.is_zero(0, 0));
+}
+
+// A velocity above 2^996 overflows when it is split.
+TEST_CASE("Where Dekker's product is out of its range, words know no limit") {
+    using flight = graze::flight<2, double>;
+    const flight a{{{0, 0}, {0x1p1000, 0}, 0x1p99}, 0};
+    const flight b{{{0x1p100, 0}, {0x1p1000, 0}, 0}, 0x1p-900};
+    const auto words = graze::detail::distance_in_words<flight>{&a, &b}(std::false_type{});
+    CHECK(words.sign == graze::detail::open);
+    CHECK(words.limit == 0);
+    CHECK(graze::overlaps(a, b)); // a then is where b is
 }

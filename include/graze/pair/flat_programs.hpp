@@ -164,5 +164,6 @@ struct flat_programs {
 
 template <int N>
 inline constexpr flat_programs<N> flat_program{};
+static_assert(flat_program<3>.size <= 256, "steps name places in a byte");
 
 } // namespace graze::inline v0_1::detail

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 
 namespace graze::inline v0_1::detail {
 
@@ -31,7 +32,7 @@ using open_recording = recording<96>;
 class recorded {
   public:
     constexpr recorded() = default;
-    constexpr explicit(false) recorded(int) noexcept {} // no formula that is recorded needs a constant
+    constexpr explicit(false) recorded(int) noexcept : place_(-1) {} // constants have no place, and none is needed
     constexpr recorded(open_recording& r, int place) noexcept : to_(&r), place_(place) {}
 
     [[nodiscard]] constexpr int place() const noexcept { return place_; }
@@ -40,7 +41,7 @@ class recorded {
         recorded_step& s = to_->step[static_cast<std::size_t>(to_->count)];
         s.what = what;
         for (std::size_t i = 0; i < from.size(); ++i) {
-            s.from[i] = static_cast<std::uint8_t>(from[i]);
+            s.from[i] = place_in_step(from[i]);
         }
         return {*to_, to_->inputs + to_->count++};
     }
@@ -56,6 +57,14 @@ class recorded {
     }
 
   private:
+    // In a recording, anything else does not compile.
+    [[nodiscard]] static constexpr std::uint8_t place_in_step(int place) {
+        if (place < 0 || place > 255) {
+            std::terminate();
+        }
+        return static_cast<std::uint8_t>(place);
+    }
+
     open_recording* to_ = nullptr;
     int place_ = 0;
 };

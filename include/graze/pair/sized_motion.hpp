@@ -182,9 +182,11 @@ template <class M>
 }
 
 // More than the magnitude of an open number: that is at most twice its error, and the error's own roundings are small.
+// 0, which says nothing, if Dekker's product made a NaN of a velocity that is out of its range.
 template <class V>
 [[nodiscard]] constexpr double limit_of(const bounded_value<V>& x) noexcept {
-    return 4 * x.error;
+    const double value = leading_double(x.value);
+    return is_finite_input(value) ? 4 * x.error : 0;
 }
 
 // Where an encounter is undecided, the number that leaves it open: the last one computed, as an error is never 0.
