@@ -3,6 +3,7 @@
 
 #include <graze/analysis/rounding_count.hpp>
 #include <graze/analysis/word_rounding.hpp>
+#include <graze/exact/binary.hpp>
 #include <graze/filter/static_filter.hpp>
 #include <graze/formula/discriminant.hpp>
 #include <graze/formula/encounter.hpp>
