@@ -25,11 +25,16 @@ edge_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d, const T& r, 
     const T wd = graze::dot(w, d), wu = graze::dot(w, u), dd = graze::dot(d, d), ud = graze::dot(u, d);
     return {graze::dot(w, w), wd, wu, dd, ud, graze::dot(u, u), r, wd - dd, wu - ud, inside, inward, speed};
 }
+// w × u, which an edge does not need.
+template <int N, class T>
+[[nodiscard, gnu::always_inline]] constexpr inline auto moment_of(const vec<N, T>& w, const vec<N, T>& u) {
+    return graze::cross(w, u);
+}
 template <int N, class T>
 [[nodiscard, gnu::always_inline]] constexpr inline flat_edge<N, T>
 corner_of(const vec<N, T>& w, const vec<N, T>& u, const vec<N, T>& d, const T& r, const T& speed) {
     auto x = edge_of(w, u, d, r, speed, speed, speed);
-    x.moment = graze::cross(w, u);
+    x.moment = moment_of(w, u);
     return x;
 }
 

@@ -95,6 +95,9 @@ class flat_entry : public flat_sight<N, T, Judge> {
         verdict v = verdict_of(clearance_of_plane());
         v = v == shared ? alone : v; // on the face now
         const auto touch = sight::touch(speed);
+        if (!sight::is_known(touch)) {
+            return perhaps;
+        }
         for (int k = 0; k < borders() && v != no; ++k) {
             v = std::min(v, verdict_of(sight::inside_at_touch(k, touch)));
         }

@@ -20,8 +20,8 @@ struct flat_answer {
 
 namespace detail {
 
-// The sign of x √p - y √q, p, q >= 0, by those of x, y and x² p - y² q.
-[[nodiscard]] constexpr int root_difference(int x, int y, int norm) noexcept {
+// The sign of x √p - y √q, p, q >= 0, by those of x, y and x² p - y² q. A call would cost an aimed ball's time 2%.
+[[nodiscard, gnu::always_inline]] constexpr inline int root_difference(int x, int y, int norm) noexcept {
     if (x != open_sign && y != open_sign && x * y <= 0) {
         return x != 0 ? x : -y;
     }
@@ -90,11 +90,19 @@ class flat_view {
             return sense;
         }
     }
-    // Whether the ball then is inside of border k.
+    template <class Touch>
+    [[nodiscard, gnu::always_inline]] static constexpr bool is_known(const Touch& x) {
+        if constexpr (Judge::has_roots) {
+            return x.good;
+        } else {
+            return true;
+        }
+    }
+    // Whether the ball then is inside of border k, for numbers that are known.
     template <class Touch>
     [[nodiscard, gnu::always_inline]] constexpr int inside_at_touch(int k, const Touch& x) const {
         if constexpr (Judge::has_roots) {
-            return x.good ? judge_(touch_inside{k, m_.is_triangle}, x.numbers) : open_sign;
+            return judge_(touch_inside{k, m_.is_triangle}, x.numbers);
         } else {
             const int inside = judge_(inside_border{k, m_.is_triangle}, way_);
             const int inward = graze::sign(m_.r) == 0 ? 0 : judge_(inward_speed{k, m_.is_triangle}, way_);

@@ -33,7 +33,7 @@ class compiled_questions final : public flat_questions<N> {
         case flat_name::inside_now:
             return view.inside_of(place(view), of.border);
         case flat_name::inside_at_touch:
-            return inside_at_touch(of);
+            return view.inside_at_touch(of.border, sign(flat_name::speed, of));
         default:
             return of_feature(which, feature(of));
         }
@@ -78,12 +78,6 @@ class compiled_questions final : public flat_questions<N> {
             return judge_(touch_behind_norm{}, x);
         }
     }
-    [[nodiscard]] constexpr int inside_at_touch(flat_place_name of) {
-        const int inside = sign(flat_name::inside, of);
-        return root_difference(inside == open_sign ? inside : inside * sign(flat_name::speed, of),
-                               graze::sign(m_.r) == 0 ? 0 : sign(flat_name::inward, of),
-                               judge_(touch_inside_norm{of.border, m_.is_triangle}, way_));
-    }
     [[nodiscard]] constexpr const flat_edge<N, T>& feature(flat_place_name of) {
         if (!(of == known_)) {
             known_ = of;
@@ -93,7 +87,7 @@ class compiled_questions final : public flat_questions<N> {
             feature_ = edge_of(w, m_.u, direction_from(m_, corner, k), m_.r, inside_border{k, m_.is_triangle}(way_),
                                inward_speed{k, m_.is_triangle}(way_), way_.speed);
             if (of.corner >= 0) {
-                feature_.moment = graze::cross(w, m_.u);
+                feature_.moment = moment_of(w, m_.u);
             }
         }
         return feature_;

@@ -90,7 +90,7 @@ struct flat_programs {
         begin(next);
         auto x = edge_of(from, m.u, along, m.r, inside_it, inward_it, w.speed);
         feature = keep();
-        x.moment = graze::cross(from, m.u);
+        x.moment = moment_of(from, m.u);
         moment = keep();
         touch = static_cast<std::uint8_t>(next);
         const flat_touch<N, number> t = [&] {

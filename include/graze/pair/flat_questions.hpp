@@ -38,10 +38,13 @@ enum class flat_name : std::uint8_t {
     count
 };
 
+// That of a formula, `count` if it has none.
 template <class F>
-inline constexpr flat_name name_of_formula = flat_name::speed;
+inline constexpr flat_name name_of_formula = flat_name::count;
 template <>
 inline constexpr flat_name name_of_formula<way_square> = flat_name::square;
+template <>
+inline constexpr flat_name name_of_formula<way_speed> = flat_name::speed;
 template <>
 inline constexpr flat_name name_of_formula<way_clearance> = flat_name::clearance_of_plane;
 template <>
@@ -121,7 +124,7 @@ class flat_view<N, detail::named, detail::flat_questions<N>> {
 
     template <class F>
     [[nodiscard]] constexpr int of_way(F) const {
-        return ask(detail::name_of_formula<F>);
+        return ask(name_of<F>());
     }
     [[nodiscard]] constexpr int of_way(inside_border x) const { return ask(name::inside, {x.k}); }
     [[nodiscard]] constexpr int of_way(inward_speed x) const { return ask(name::inward, {x.k}); }
@@ -130,16 +133,22 @@ class flat_view<N, detail::named, detail::flat_questions<N>> {
     [[nodiscard]] constexpr auto place() const { return nullptr; }
     [[nodiscard]] constexpr int inside_of(std::nullptr_t, int k) const { return ask(name::inside_now, {k}); }
     [[nodiscard]] constexpr auto touch(int) const { return nullptr; }
+    [[nodiscard]] static constexpr bool is_known(std::nullptr_t) { return true; }
     [[nodiscard]] constexpr int inside_at_touch(int k, std::nullptr_t) const { return ask(name::inside_at_touch, {k}); }
 
     template <class F>
     [[nodiscard]] constexpr int of_feature(F, place_name of) const {
-        return ask(detail::name_of_formula<F>, of);
+        return ask(name_of<F>(), of);
     }
     [[nodiscard]] constexpr place_name seen_from_border(int k) const { return {k, -1}; }
     [[nodiscard]] constexpr place_name seen_from_corner(int corner, int k = -1) const { return {k, corner}; }
 
   private:
+    template <class F>
+    [[nodiscard]] static consteval name name_of() {
+        static_assert(detail::name_of_formula<F> != name::count, "this formula has no name");
+        return detail::name_of_formula<F>;
+    }
     [[nodiscard, gnu::noinline]] constexpr int ask(name which, place_name of = {}) const {
         return questions_.sign(which, of);
     }

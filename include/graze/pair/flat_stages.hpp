@@ -7,6 +7,7 @@
 #include <graze/number/bounded_word.hpp>
 #include <graze/pair/bounded_double.hpp>
 #include <graze/pair/compiled_questions.hpp>
+#include <graze/pair/flat_judges.hpp>
 #include <graze/pair/flat_signs.hpp>
 #include <graze/pair/known_zero.hpp>
 #include <graze/pair/pair.hpp>
@@ -102,65 +103,6 @@ answer_in(const flat_motion<N, T>& m, const Judge& judge, const flat_asked& aske
                                                   : answer_by_name<N>(q, asked.question, guess);
     }
 }
-
-struct word_judge {
-    static constexpr bool is_quick = false;
-    static constexpr bool has_roots = true;
-    [[nodiscard]] bool root(const bounded_word& x, bounded_word& y) const noexcept {
-        y = sqrt(x);
-        return true;
-    }
-
-    template <class F, class X>
-    [[nodiscard]] int operator()(F f, const X& x) const noexcept {
-        return sign_of(f(x));
-    }
-    [[nodiscard]] int sign_of(const bounded_word& y) const noexcept {
-        return y.has_certain_sign() ? graze::sign(y) : y.is_zero() ? 0 : open_sign;
-    }
-};
-// No sign of it is a certain 0, but that of a speed which is known to vanish.
-struct refined_judge {
-    static constexpr bool is_quick = true;
-    static constexpr bool has_roots = false;
-    bool moves_along = false; // the plane
-    bool guesses = false;     // takes the doubles for exact
-
-    template <class F, class X>
-    [[nodiscard]] int operator()(F f, const X& x) const noexcept {
-        if constexpr (std::is_same_v<F, way_speed>) {
-            if (moves_along) {
-                return 0;
-            }
-        }
-        return sign_of(f(x));
-    }
-    // A step loses less than 2^-1070; inputs below 2^3, a degree below 30 and fewer than 2^11 steps leave that below
-    // 2^-900.
-    [[nodiscard]] int sign_of(const bounded_double<53>& y) const noexcept {
-        if (guesses) {
-            return graze::sign(y);
-        }
-        const int s = y.certain_sign(0x1p-900);
-        return s != 0 ? s : open_sign;
-    }
-};
-struct exact_judge {
-    static constexpr bool is_quick = false;
-    static constexpr bool has_roots = false;
-    workspace* room;
-
-    [[nodiscard]] constexpr workspace::scope scope() const noexcept { return workspace::scope(room); }
-    [[nodiscard]] constexpr std::int64_t* mark() const noexcept { return room->take(0); }
-    constexpr void rewind(std::int64_t* mark) const noexcept { room->keep_until(mark); }
-
-    template <class F, class X>
-    [[nodiscard]] constexpr int operator()(F f, const X& x) const {
-        const workspace::scope own(room);
-        return sign_of(f(x));
-    }
-    [[nodiscard]] constexpr int sign_of(const big_integer& y) const noexcept { return graze::sign(y); }
-};
 
 template <int N, class I>
 [[nodiscard, gnu::always_inline]] constexpr inline vec<N, I> difference_of_inputs(const vec<N, I>& x,
